@@ -1,0 +1,30 @@
+#pragma once
+/// The closed list of shapes. To add one: write its header (a plain struct and the four functions
+/// below) beside the others, and add it to the variant.
+///
+///   OptionalHit intersect(const S&, const Ray&, double t_max, const RayStart&)
+///       The nearest crossing with 0 < t <= t_max, or none. Any NaN in the ray gives none.
+///   SurfacePoint surface_point(const S&, const Ray&, const ShapeHit&)
+///       The hit refined onto the surface, and the normals there.
+///   SurfaceCoordinates surface_coordinates(const S&, const SurfacePoint&, std::uint32_t feature)
+///       Only evaluated for textured surfaces.
+///   Bounds bounds(const S&)
+///       A box that holds the shape; infinite where the shape is.
+#include <variant>
+
+#include "rt/geometry/blob.h"
+#include "rt/geometry/box.h"
+#include "rt/geometry/cylinder.h"
+#include "rt/geometry/mesh.h"
+#include "rt/geometry/plane.h"
+#include "rt/geometry/sphere.h"
+#include "rt/geometry/torus.h"
+
+namespace rt {
+
+using Shape = std::variant<Sphere, Box, Plane, Square, Cylinder, Torus, Blob, Mesh>;
+
+/// The shape's name in scripts and messages: "sphere", "torus", ...
+const char* shape_kind(const Shape& shape);
+
+}  // namespace rt

@@ -1,0 +1,13 @@
+#pragma once
+/// Bounds on rounding error, after Higham, "Accuracy and Stability of Numerical Algorithms", ch. 3.
+#include <limits>
+
+namespace rt {
+
+/// Unit roundoff u of double precision: a correctly rounded operation errs by at most u relatively.
+inline constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
+
+/// gamma_n = n u / (1 - n u): bounds the relative error of a product or a sum of n rounded terms.
+constexpr double gamma(int n) { return n * unit_roundoff / (1 - n * unit_roundoff); }
+
+}  // namespace rt

@@ -1,0 +1,18 @@
+#pragma once
+#include "rt/math/vec.h"
+
+namespace rt {
+
+/// A pinhole camera. Pixel (0,0) is top left.
+struct Camera {
+  Vec3 eye{0.0};
+  Vec3 view{0.0, 0.0, -1.0};  ///< direction, any length but zero
+  Vec3 up{0.0, 1.0, 0.0};     ///< any vector not parallel to view
+  double fov = 50.0;          ///< vertical field of view, degrees in (0,180)
+};
+
+/// Throws SceneError when the camera cannot make a picture: an up vector parallel to the view
+/// direction, a zero view direction, a field of view outside (0,180), or a number not finite.
+void check(const Camera& camera);
+
+}  // namespace rt

@@ -1,0 +1,53 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rt/geometry/shape.h"
+#include "rt/math/transform.h"
+#include "rt/scene/material.h"
+
+namespace rt {
+
+/// A node of the authoring graph. Nodes are shared: one child under two parents is instancing.
+struct Node {
+  std::string name;
+  std::string where;                         ///< script:line of its making, for messages
+  Affine parent_from_node;                   ///< maps this node's space into its parent's
+  std::shared_ptr<const Material> material;  ///< null: inherit the nearest ancestor's
+  std::optional<Shape> shape;
+  std::vector<std::shared_ptr<Node>> children;
+};
+
+/// The methods of a script's nodes. As in the course framework each pre-multiplies: a rotation
+/// after a translation turns the translated node about its parent's origin. Each throws SceneError
+/// with the node's name when an argument is not finite, or (scale) when it would make the transform
+/// singular.
+void translate(Node& node, const Vec3& by);
+void rotate(Node& node, int axis, double degrees);
+void scale(Node& node, const Vec3& factors);
+/// Appends a child. Throws SceneError when that would make `parent` a descendant of itself.
+void add_child(Node& parent, std::shared_ptr<Node> child);
+
+/// One shape placed in the world.
+struct Instance {
+  Affine world_from_model;
+  Affine model_from_world;
+  std::shared_ptr<const Shape> shape;  ///< shared by the instances of one node
+  std::shared_ptr<const Material> material;
+  std::string name;
+};
+
+/// Every shape under `root`, depth first, in the order of add_child; a value copy that later edits
+/// of the graph do not touch.
+struct Flattened {
+  std::vector<Instance> instances;
+  std::vector<std::string> warnings;  ///< at most one about missing materials
+};
+
+/// Throws SceneError naming the node for a singular or non-finite accumulated transform, and when
+/// the graph is deeper than 10 000 nodes.
+Flattened flatten(const Node& root);
+
+}  // namespace rt

@@ -1,0 +1,67 @@
+#pragma once
+/// The options of a rendering: declared once, here, for scripts, command line, help and
+/// annotations.
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "rt/math/vec.h"
+
+namespace rt {
+
+/// How 8-bit pictures encode linear values.
+enum class Encoding { srgb, raw };
+/// How the ray's candidates are found.
+enum class AccelChoice { automatic, none, bvh };
+
+/// A constant or a vertical gradient over the picture's height.
+struct Background {
+  Rgb top{0.0};
+  Rgb bottom{0.0};
+};
+
+struct RenderOptions {
+  int width = 0;
+  int height = 0;
+  int max_depth = 8;  ///< how many mirror bounces a path may take
+  int samples = 16;   ///< per pixel; 1 is the pixel's centre
+  std::uint64_t seed = 0;
+  Encoding encoding = Encoding::srgb;
+  AccelChoice accel = AccelChoice::automatic;
+  bool reflection = true;
+  bool antialiasing = true;  ///< false: one sample at the pixel's centre
+  bool acceleration = true;
+  Background background;
+};
+
+/// What a script or the command line gives for an option. The command line gives strings.
+using OptionValue = std::variant<bool, double, std::string>;
+
+struct OptionSpec {
+  std::string_view name;   ///< as in a script's table: max_depth; the flag is --max-depth
+  std::string_view flag;   ///< further flag: "-s", or empty
+  std::string_view value;  ///< placeholder in help: "N"
+  std::string_view help;   ///< one line
+  /// Checks the value and stores it. Throws std::invalid_argument "expected ..., got ...".
+  void (*set)(RenderOptions&, const OptionValue&);
+  bool in_script = true;        ///< may stand in gr.render's table
+  bool on_command_line = true;  ///< has a flag; else only --disable names it
+};
+
+/// Every option there is.
+std::span<const OptionSpec> option_specs();
+
+/// The option of that name, '-' and '_' alike; null when there is none.
+const OptionSpec* find_option(std::string_view name);
+
+/// "800x600" as width and height; throws std::invalid_argument.
+void parse_size(std::string_view text, int& width, int& height);
+
+/// The name among `known` with the smallest edit distance to `given`, or empty when none is near
+/// enough to be a likely misspelling.
+std::string nearest_name(std::string_view given, std::span<const std::string_view> known);
+
+}  // namespace rt
