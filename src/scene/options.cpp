@@ -70,6 +70,16 @@ E as_choice(const OptionValue& value,
   refuse(expected, value);
 }
 
+template <class E, std::size_t N>
+OptionValue name_of(E value, const std::array<std::pair<std::string_view, E>, N>& choices) {
+  for (const auto& [name, choice] : choices) {
+    if (choice == value) {
+      return std::string(name);
+    }
+  }
+  return std::string();
+}
+
 constexpr std::int64_t max_count = std::int64_t{1} << 30;
 constexpr std::int64_t max_seed = std::int64_t{1} << 53;
 
@@ -86,6 +96,7 @@ constexpr OptionSpec feature(std::string_view name, std::string_view help) {
           "",
           help,
           [](RenderOptions& o, const OptionValue& v) { o.*member = as_switch(v); },
+          [](const RenderOptions& o) { return OptionValue(o.*member); },
           true,
           false};
 }
@@ -94,22 +105,27 @@ constexpr std::array specs{
     OptionSpec{"samples", "", "N", "samples a pixel; 1 takes the pixel's centre (default 16)",
                [](RenderOptions& o, const OptionValue& v) {
                  o.samples = static_cast<int>(as_whole(v, 1, max_count));
-               }},
+               },
+               [](const RenderOptions& o) { return OptionValue(static_cast<double>(o.samples)); }},
     OptionSpec{"seed", "", "N", "seed of all random decisions (default 0)",
                [](RenderOptions& o, const OptionValue& v) {
                  o.seed = static_cast<std::uint64_t>(as_whole(v, 0, max_seed));
-               }},
-    OptionSpec{"max_depth", "", "N", "bounces a path may take (default 8)",
-               [](RenderOptions& o, const OptionValue& v) {
-                 o.max_depth = static_cast<int>(as_whole(v, 0, 10'000));
-               }},
+               },
+               [](const RenderOptions& o) { return OptionValue(static_cast<double>(o.seed)); }},
     OptionSpec{
-        "encoding", "", "srgb|raw",
-        "8-bit pictures hold sRGB (default) or the linear value times 255",
-        [](RenderOptions& o, const OptionValue& v) { o.encoding = as_choice(v, encodings); }},
+        "max_depth", "", "N", "bounces a path may take (default 8)",
+        [](RenderOptions& o, const OptionValue& v) {
+          o.max_depth = static_cast<int>(as_whole(v, 0, 10'000));
+        },
+        [](const RenderOptions& o) { return OptionValue(static_cast<double>(o.max_depth)); }},
+    OptionSpec{"encoding", "", "srgb|raw",
+               "8-bit pictures hold sRGB (default) or the linear value times 255",
+               [](RenderOptions& o, const OptionValue& v) { o.encoding = as_choice(v, encodings); },
+               [](const RenderOptions& o) { return name_of(o.encoding, encodings); }},
     OptionSpec{"accel", "", "auto|none|bvh",
                "how candidates are found: by the scene's size (default), one by one, hierarchy",
-               [](RenderOptions& o, const OptionValue& v) { o.accel = as_choice(v, accels); }},
+               [](RenderOptions& o, const OptionValue& v) { o.accel = as_choice(v, accels); },
+               [](const RenderOptions& o) { return name_of(o.accel, accels); }},
     feature<&RenderOptions::reflection>("reflection", "mirror reflection"),
     feature<&RenderOptions::antialiasing>("antialiasing", "more than one sample a pixel"),
     feature<&RenderOptions::acceleration>("acceleration", "anything but trying shapes one by one"),
