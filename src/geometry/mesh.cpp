@@ -1,0 +1,197 @@
+#include "rt/geometry/mesh.h"
+
+#include "convex.h"
+#include "rt/geometry/exact.h"
+#include "rt/math/rounding.h"
+
+namespace rt {
+namespace {
+
+/// A vertex as the ray sees it: its offset from the ray in two coordinates across (scaled by the
+/// direction's main component), and its distance from the origin along the main axis.
+struct Seen {
+  double x, y, depth;
+};
+
+/// The ray's view (Woop, Benthin & Wald 2013, "Watertight ray/triangle intersection"). In place of
+/// their shear by quotients the coordinates are multiplied out from exact differences, so each has
+/// a relative error of a few u however far away the origin is. A vertex' image depends on ray and
+/// vertex alone: triangles that share an edge see the same edge.
+class View {
+ public:
+  explicit View(const Ray& ray) : ray_(ray) {
+    const Vec3 a = glm::abs(ray.direction);
+    z_ = a.x > a.y ? (a.x > a.z ? 0 : 2) : (a.y > a.z ? 1 : 2);
+    x_ = (z_ + 1) % 3;
+    y_ = (z_ + 2) % 3;
+  }
+
+  Seen operator()(const Vec3& vertex) const {
+    const DoublePair depth = exact_difference(vertex[z_], ray_.origin[z_]);
+    return {across(vertex, x_, depth), across(vertex, y_, depth), depth.high};
+  }
+  double main_direction() const { return ray_.direction[z_]; }
+
+ private:
+  double across(const Vec3& vertex, int i, const DoublePair& depth) const {
+    const DoublePair side = exact_difference(vertex[i], ray_.origin[i]);
+    const double dz = ray_.direction[z_];
+    const double di = ray_.direction[i];
+    return difference_of_products(side.high, dz, depth.high, di) + (side.low * dz - depth.low * di);
+  }
+
+  const Ray& ray_;
+  int x_, y_, z_;
+};
+
+/// Whether the origin is so close to the triangle's plane that arithmetic cannot tell the two
+/// apart. normal . (o - a) takes a rounded difference, a cross product good to 1.5 ulp, three
+/// products and two sums: its error is below gamma(8) |e1| |e2| |o - a|.
+bool coincident(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& o, double error) {
+  const Vec3 normal = exact_cross(b - a, c - a);
+  const double rounding = gamma(8) * glm::length(b - a) * glm::length(c - a) * glm::length(o - a);
+  return std::abs(glm::dot(normal, o - a)) <= error * glm::length(normal) + rounding;
+}
+
+/// Weights of the corners at a point of the triangle's plane, each in [0,1].
+struct Weights {
+  double a, b, c;
+};
+
+Weights weights_at(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
+  const Vec3 normal = exact_cross(b - a, c - a);
+  const double wa = std::max(0.0, glm::dot(exact_cross(b - p, c - p), normal));
+  const double wb = std::max(0.0, glm::dot(exact_cross(c - p, a - p), normal));
+  const double wc = std::max(0.0, glm::dot(exact_cross(a - p, b - p), normal));
+  const double sum = wa + wb + wc;
+  if (sum > 0) {
+    return {wa / sum, wb / sum, wc / sum};
+  }
+  return {1, 0, 0};  // a triangle without an area
+}
+
+/// The vertex normals' mean, on the geometric normal's side of the surface.
+Vec3 shading_normal(const MeshData& mesh, std::uint32_t triangle, const Weights& w,
+                    const Vec3& geometric) {
+  const Corners& n = mesh.triangle_normals[triangle];
+  const Vec3 mean = w.a * mesh.normals[n[0]] + w.b * mesh.normals[n[1]] + w.c * mesh.normals[n[2]];
+  const double length = glm::length(mean);
+  if (!(length > 0)) {
+    return geometric;
+  }
+  return glm::dot(mean, geometric) < 0 ? -mean / length : mean / length;
+}
+
+}  // namespace
+
+OptionalHit intersect_triangle(const MeshData& mesh, std::uint32_t triangle, const Ray& ray,
+                               double t_max, const RayStart& start) {
+  if (start.leaving != Leaving::nothing && start.feature == triangle) {
+    return {};  // a plane that was left is never met again
+  }
+  const View view(ray);
+  const Corners& corners = mesh.triangles[triangle];
+  const Vec3& a = mesh.positions[corners[0]];
+  const Vec3& b = mesh.positions[corners[1]];
+  const Vec3& c = mesh.positions[corners[2]];
+  const Seen sa = view(a);
+  const Seen sb = view(b);
+  const Seen sc = view(c);
+  // Signs of these are exact for the images, and opposite for the two triangles of an edge; a ray
+  // exactly through the edge (zero) hits both.
+  const double u = signed_difference(sc.x, sb.y, sc.y, sb.x);
+  const double v = signed_difference(sa.x, sc.y, sa.y, sc.x);
+  const double w = signed_difference(sb.x, sa.y, sb.y, sa.x);
+  if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) {
+    return {};
+  }
+  const double sum = u + v + w;
+  if (!(sum != 0)) {
+    return {};  // edge-on, or NaN
+  }
+  // A mean with positive weights: t's error is a few u of the distances, and of the triangle's
+  // size.
+  const double depth = (u * sa.depth + v * sb.depth + w * sc.depth) / sum;
+  const OptionalHit hit = hit_in_range(depth / view.main_direction(), triangle, t_max);
+  if (hit && start.position_error > 0 && coincident(a, b, c, ray.origin, start.position_error)) {
+    return {};
+  }
+  return hit;
+}
+
+Bounds triangle_bounds(const MeshData& mesh, std::uint32_t triangle) {
+  Bounds out;
+  for (const std::uint32_t corner : mesh.triangles[triangle]) {
+    out.extend(mesh.positions[corner]);
+  }
+  return out;
+}
+
+OptionalHit intersect(const Mesh& shape, const Ray& ray, double t_max, const RayStart& start) {
+  OptionalHit nearest;
+  const auto count = static_cast<std::uint32_t>(shape.data->triangles.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const OptionalHit hit =
+        intersect_triangle(*shape.data, i, ray, nearest ? nearest->t : t_max, start);
+    if (hit && (!nearest || hit->t < nearest->t)) {
+      nearest = hit;
+    }
+  }
+  return nearest;
+}
+
+SurfacePoint surface_point(const Mesh& shape, const Ray& ray, const ShapeHit& hit) {
+  const MeshData& mesh = *shape.data;
+  const Corners& corners = mesh.triangles[hit.feature];
+  const Vec3& a = mesh.positions[corners[0]];
+  const Vec3& b = mesh.positions[corners[1]];
+  const Vec3& c = mesh.positions[corners[2]];
+  Vec3 p = fused_at(ray.origin, ray.direction, hit.t);
+  const Vec3 cross = exact_cross(b - a, c - a);
+  const double area = glm::length(cross);
+  if (!(area > 0)) {
+    const Vec3 back = -glm::normalize(ray.direction);
+    return {p, back, back};
+  }
+  const Vec3 normal = cross / area;
+  p -= glm::dot(p - a, normal) * normal;
+  if (mesh.normals.empty() || mesh.triangle_normals.empty()) {
+    return {p, normal, normal};
+  }
+  return {p, normal, shading_normal(mesh, hit.feature, weights_at(a, b, c, p), normal)};
+}
+
+/// The file's texture coordinates, or the weights of the second and third corner where it has none.
+SurfaceCoordinates surface_coordinates(const Mesh& shape, const SurfacePoint& point,
+                                       std::uint32_t feature) {
+  const MeshData& mesh = *shape.data;
+  const Corners& corners = mesh.triangles[feature];
+  const Vec3& a = mesh.positions[corners[0]];
+  const Vec3 ab = mesh.positions[corners[1]] - a;
+  const Vec3 ac = mesh.positions[corners[2]] - a;
+  const Weights w = weights_at(a, a + ab, a + ac, point.position);
+  if (mesh.uvs.empty() || mesh.triangle_uvs.empty()) {
+    return {{w.b, w.c}, ab, ac};
+  }
+  const Corners& t = mesh.triangle_uvs[feature];
+  const Vec2 ta = mesh.uvs[t[0]];
+  const Vec2 tb = mesh.uvs[t[1]] - ta;
+  const Vec2 tc = mesh.uvs[t[2]] - ta;
+  const Vec2 uv = ta + w.b * tb + w.c * tc;
+  const double determinant = difference_of_products(tb.x, tc.y, tb.y, tc.x);
+  if (!(determinant != 0)) {
+    return {uv, ab, ac};  // the map has no inverse: any finite derivatives will do
+  }
+  return {uv, (tc.y * ab - tb.y * ac) / determinant, (tb.x * ac - tc.x * ab) / determinant};
+}
+
+Bounds bounds(const Mesh& shape) {
+  Bounds out;
+  const auto count = static_cast<std::uint32_t>(shape.data->triangles.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    out.extend(triangle_bounds(*shape.data, i));
+  }
+  return out;
+}
+
+}  // namespace rt
