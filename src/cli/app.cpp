@@ -15,6 +15,7 @@
 #include "rt/io/obj.h"
 #include "rt/lua/script.h"
 #include "rt/render/plan.h"
+#include "rt/render/threads.h"
 
 namespace rt::cli {
 namespace {
@@ -53,7 +54,10 @@ class Session {
   explicit Session(const CommandLine& line) : line_(line) {}
 
   void run() {
-    lua::Host host{[this](RenderJob job) { picture(std::move(job)); }, io::load_obj, warn};
+    const auto render = [this](RenderJob job) {
+      with_threads(line_.threads, [&] { picture(std::move(job)); });
+    };
+    const lua::Host host{render, io::load_obj, warn};
     lua::run_script(line_.scene, line_.arguments, host);
     if (reports_.empty()) {
       throw SceneError(fmt::format("{}: the script made no picture; it should call gr.render(...)",
@@ -121,7 +125,7 @@ class Session {
 
   RenderResult traced(const RenderPlan& plan, const PictureReport& report) const {
     ProgressReport progress(line_.progress, line_.quiet, report.picture);
-    return render(plan, report.crop, line_.threads, [&](const Progress& p) { progress(p); });
+    return render(plan, report.crop, [&](const Progress& p) { progress(p); });
   }
 
   std::map<std::string, std::string> metadata(const RenderOptions& options) const {

@@ -2,7 +2,6 @@
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <mutex>
@@ -60,8 +59,7 @@ void render_tile(const RenderPlan& plan, const Crop& crop, const Crop& tile, Fil
 
 }  // namespace
 
-RenderResult render(const RenderPlan& plan, const Crop& crop, int threads,
-                    const ProgressFunction& progress) {
+RenderResult render(const RenderPlan& plan, const Crop& crop, const ProgressFunction& progress) {
   Film film(crop.width, crop.height);
   Shared shared(crop, progress);
   const int columns = (crop.width + tile_edge - 1) / tile_edge;
@@ -74,17 +72,14 @@ RenderResult render(const RenderPlan& plan, const Crop& crop, int threads,
                  std::min(tile_edge, crop.y + crop.height - y)},
                 film, shared);
   };
-  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-  arena.execute([&] {
-    tbb::parallel_for(
-        tbb::blocked_range<int>(0, columns * rows, 1),
-        [&](const tbb::blocked_range<int>& range) {
-          for (int i = range.begin(); i != range.end(); ++i) {
-            tile(i);
-          }
-        },
-        tbb::simple_partitioner());
-  });
+  tbb::parallel_for(
+      tbb::blocked_range<int>(0, columns * rows, 1),
+      [&](const tbb::blocked_range<int>& range) {
+        for (int i = range.begin(); i != range.end(); ++i) {
+          tile(i);
+        }
+      },
+      tbb::simple_partitioner());
   return {std::move(film), shared.statistics};
 }
 

@@ -27,9 +27,9 @@ struct RenderResult {
   RenderStatistics statistics;
 };
 
-/// Renders a part of the picture. The result depends on the plan alone: not on the number of
-/// threads (0: one a processor), nor on the crop, whose pixels equal those of the full picture.
-RenderResult render(const RenderPlan& plan, const Crop& crop, int threads,
-                    const ProgressFunction& progress);
+/// Renders a part of the picture, with the threads that with_threads() gives. The result depends on
+/// the plan alone: not on the number of threads, nor on the crop, whose pixels equal those of the
+/// full picture.
+RenderResult render(const RenderPlan& plan, const Crop& crop, const ProgressFunction& progress);
 
 }  // namespace rt

@@ -24,7 +24,7 @@ TEST(Determinism, ACropEqualsThatPartOfTheFullPicture) {
   job.options.samples = 4;
   const Film full = test::rendered(job).film;
   const Crop crop{33, 7, 40, 29};
-  const Film part = render(make_plan(job), crop, 2, {}).film;
+  const Film part = render(make_plan(job), crop, {}).film;
   for (int y = 0; y < crop.height; ++y) {
     for (int x = 0; x < crop.width; ++x) {
       EXPECT_EQ(test::pixel(part, x, y), test::pixel(full, x + crop.x, y + crop.y));

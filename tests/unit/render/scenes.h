@@ -1,6 +1,7 @@
 #pragma once
 /// Small scenes for the renderer's tests, built without a script.
 #include "rt/render/render.h"
+#include "rt/render/threads.h"
 #include "rt/scene/render_job.h"
 
 namespace rt::test {
@@ -29,7 +30,11 @@ inline RenderJob job_looking(const Vec3& eye, const Vec3& target, int width, int
 }
 
 inline RenderResult rendered(const RenderJob& job, int threads = 1) {
-  return render(make_plan(job), {0, 0, job.options.width, job.options.height}, threads, {});
+  std::optional<RenderResult> result;
+  with_threads(threads, [&] {
+    result = render(make_plan(job), {0, 0, job.options.width, job.options.height}, {});
+  });
+  return std::move(*result);
 }
 
 inline Rgb pixel(const Film& film, int x, int y) {
