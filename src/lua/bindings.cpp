@@ -115,6 +115,13 @@ int unknown_method(lua_State* L) {
       fmt::format("nodes have no method '{}'{}", key, suggestion(key, names_in("node:"))));
 }
 
+/// __index of materials and lights.
+template <class T>
+int no_method(lua_State* L) {
+  throw SceneError(
+      fmt::format("a {} has no '{}'; only nodes have methods", handle_name<T>, key_text(L, 2)));
+}
+
 int refuse_assignment(lua_State* L) {
   throw SceneError(
       fmt::format("cannot set '{}': nodes, materials and lights have no fields", key_text(L, 2)));
@@ -149,7 +156,24 @@ void set_unknown(lua_State* L, lua_CFunction unknown) {
   lua_setmetatable(L, -2);
 }
 
-void finish_metatable(lua_State* L) {
+void open_node_metatable(lua_State* L) {
+  new_metatable<Node>(L);
+  lua_newtable(L);
+  set_functions(L, [](const Binding& b) { return b.is_method(); });
+  set_unknown(L, guarded<unknown_method>);
+  lua_setfield(L, -2, "__index");
+  lua_pushcfunction(L, guarded<node_text>);
+  lua_setfield(L, -2, "__tostring");
+  lua_pushcfunction(L, guarded<refuse_assignment>);
+  lua_setfield(L, -2, "__newindex");
+  lua_pop(L, 1);
+}
+
+template <class T>
+void open_plain_metatable(lua_State* L) {
+  new_metatable<T>(L);
+  lua_pushcfunction(L, guarded<no_method<T>>);
+  lua_setfield(L, -2, "__index");
   lua_pushcfunction(L, guarded<refuse_assignment>);
   lua_setfield(L, -2, "__newindex");
   lua_pop(L, 1);
@@ -171,18 +195,9 @@ void open_bindings(lua_State* L) {
   set_functions(L, [](const Binding& b) { return !b.is_gr() && !b.is_method(); });
   lua_pop(L, 1);
 
-  new_metatable<Node>(L);
-  lua_newtable(L);
-  set_functions(L, [](const Binding& b) { return b.is_method(); });
-  set_unknown(L, guarded<unknown_method>);
-  lua_setfield(L, -2, "__index");
-  lua_pushcfunction(L, guarded<node_text>);
-  lua_setfield(L, -2, "__tostring");
-  finish_metatable(L);
-  new_metatable<const Material>(L);
-  finish_metatable(L);
-  new_metatable<const Light>(L);
-  finish_metatable(L);
+  open_node_metatable(L);
+  open_plain_metatable<const Material>(L);
+  open_plain_metatable<const Light>(L);
 }
 
 }  // namespace rt::lua
