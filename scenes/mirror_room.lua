@@ -19,6 +19,7 @@ end
 square("floor", tiles)
 square("ceiling", wall):rotate("x", 180):translate(0, 4, 0)
 square("back", wall):rotate("x", 90):translate(0, 1, -3)
+square("front", wall):rotate("x", -90):translate(0, 1, 3)
 square("left", mirror):rotate("z", -90):translate(-2.5, 1, 0)
 square("right", mirror):rotate("z", 90):translate(2.5, 1, 0)
 
@@ -27,14 +28,14 @@ local function ball(name, material, x, y, z, radius)
   node:set_material(material)
   room:add_child(node)
 end
-ball("red", red, -0.9, 0.6, 0.2, 0.6)
-ball("chrome", chrome, 0.8, 0.8, -1, 0.8)
-ball("small", red, 1.2, 0.25, 1, 0.25)
+ball("red", red, -1, 0.6, -0.8, 0.6)
+ball("chrome", chrome, 0.9, 0.8, -1.4, 0.8)
+ball("small", red, 0.5, 0.25, 0.2, 0.25)
 
 gr.render{
   scene = room, file = "mirror_room.png", size = {512, 512},
-  camera = {eye = {0.6, 1.7, 5.5}, look_at = {-0.4, 1.2, 0}, up = {0, 1, 0}, fov = 48},
-  ambient = {0.2, 0.2, 0.22},
-  lights = {gr.light{position = {0, 3.7, 1}, colour = {1.1, 1.05, 0.95}, falloff = {0.6, 0.12, 0.02}}},
+  camera = {eye = {2.1, 1.9, 2.2}, look_at = {-1.6, 0.9, -1}, up = {0, 1, 0}, fov = 62},
+  ambient = {0.22, 0.22, 0.24},
+  lights = {gr.light{position = {0, 3.7, 0}, colour = {1.1, 1.05, 0.95}, falloff = {0.6, 0.1, 0.02}}},
   max_depth = 24,
 }

@@ -21,7 +21,7 @@ scene:add_child(hoop)
 
 local spindle = gr.torus("spindle", 0.3, 0.5)
 spindle:set_material(apple)
-spindle:translate(1.6, 0.5, 1.5)
+spindle:translate(1.2, 0.5, 1.6)
 scene:add_child(spindle)
 
 local ground = gr.plane("ground")
@@ -29,7 +29,7 @@ ground:set_material(floor)
 scene:add_child(ground)
 
 gr.render(scene, "torus.png", 512, 512,
-  {0, 3.2, 7.5}, {0, -0.33, -1}, {0, 1, 0}, 38,
+  {0, 3.4, 8.5}, {0, -0.28, -1}, {0, 1, 0}, 40,
   {0.25, 0.25, 0.28},
   {gr.light({5, 8, 5}, {0.8, 0.8, 0.76}, {1, 0, 0}),
    gr.light({-6, 4, 4}, {0.22, 0.24, 0.3}, {1, 0, 0})},

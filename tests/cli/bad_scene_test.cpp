@@ -21,7 +21,7 @@ const std::string render_tail =
 const Case cases[] = {
     {"syntax error", "local x = = 3\n", "scene.lua:1:"},
     {"runtime error", "\nlocal x = nil + 1\n", "scene.lua:2:"},
-    {"unknown function", "gr.spheer('a')\n", "gr.sphere"},
+    {"unknown function", "gr.spheer('a')\n", "did you mean 'sphere'"},
     {"unknown method", "gr.sphere('a'):rotat('x', 3)\n", "rotate"},
     {"unknown material key", "gr.material{kd={1,1,1}, shinyness=3}\n", "shininess"},
     {"unknown render option",

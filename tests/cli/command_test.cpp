@@ -103,7 +103,8 @@ TEST_F(Command, SettingsOnTheCommandLineOverrideTheScript) {
 
 TEST_F(Command, EqualInputsGiveEqualFiles) {
   for (const char* name : {"a.png", "a.exr", "a.bmp", "a.tga", "a.jpg"}) {
-    const std::string other = "b" + std::string(name + 1);
+    std::string other = name;
+    other.front() = 'b';
     ASSERT_EQ(run_script(sphere_script(), "-q -t 1 -o " + std::string(name)).exit_code, 0);
     ASSERT_EQ(run_script(sphere_script(), "-q -t 2 -o " + other).exit_code, 0);
     EXPECT_GT(contents(folder_ / name).size(), 100u);
