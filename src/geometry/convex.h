@@ -44,7 +44,7 @@ struct Chord {
 };
 
 inline OptionalHit hit_in_range(double t, std::uint32_t feature, double t_max) {
-  if (t > 0 && t <= t_max) {
+  if (t > 0 && t <= t_max && t < infinity) {
     return ShapeHit{t, feature};
   }
   return {};

@@ -108,20 +108,25 @@ OptionalHit leave_torus(const Torus& torus, const Ray& ray, double t_max, Leavin
   return u ? hit_in_range(*u / length, 0, t_max) : OptionalHit{};
 }
 
-/// The signed distance from the tube's surface, positive outside the solid: in the lemon of a
-/// spindle torus too.
+/// Inside the solid exactly one of the two factors is negative: in the lemon of a spindle torus
+/// both are.
+bool inside(const Torus& torus, const Vec3& p) {
+  const double rho = std::sqrt(p.x * p.x + p.z * p.z);
+  return (factor(torus, rho, p.y, 1) < 0) != (factor(torus, rho, p.y, -1) < 0);
+}
+
+/// How far p is from the tube's surface.
 double distance(const Torus& torus, const Vec3& p) {
   const double rho = std::sqrt(p.x * p.x + p.z * p.z);
-  const double sheet = sheet_at(torus, rho, p.y);
-  const double w = rho - sheet * torus.major_radius;
-  return sheet * (std::sqrt(w * w + p.y * p.y) - torus.minor_radius);
+  const double w = rho - sheet_at(torus, rho, p.y) * torus.major_radius;
+  return std::abs(std::sqrt(w * w + p.y * p.y) - torus.minor_radius);
 }
 
 /// The side to which a ray leaves whose origin lies on the torus within `error`. Three operations
 /// give rho, one w, three the distance: each rounds something of at most |o| + R.
 Leaving coincidence(const Torus& torus, const Vec3& o, const Vec3& d, double error) {
   const double reach = glm::length(o) + torus.major_radius;
-  if (!(std::abs(distance(torus, o)) <= error + gamma(7) * reach)) {
+  if (!(distance(torus, o) <= error + gamma(7) * reach)) {
     return Leaving::nothing;
   }
   return cubic_of(torus, o, d).c0 < 0 ? Leaving::inward : Leaving::outward;
@@ -198,7 +203,7 @@ OptionalHit intersect(const Torus& shape, const Ray& ray, double t_max, const Ra
   double sign = 1;
   if (begin > chord.t_in) {
     chord.t_in = begin;
-    sign = distance(shape, ray.origin) < 0 ? -1 : 1;
+    sign = inside(shape, ray.origin) ? -1 : 1;
   }
   chord.t_out = std::min(chord.t_out, line.local_parameter(t_max) * length);
   const std::optional<double> s = first_root(shape, line.origin, d, chord, sign);

@@ -1,0 +1,100 @@
+#include "unit/geometry/rays.h"
+
+namespace rt::testing {
+namespace {
+
+/// t of every crossing, walking from surface to surface.
+std::vector<double> crossings(const Torus& torus, Ray ray) {
+  std::vector<double> out;
+  RayStart start;
+  double travelled = 0;
+  while (const OptionalHit h = intersect(torus, ray, infinity, start)) {
+    const SurfacePoint p = surface_point(torus, ray, *h);
+    travelled += h->t;
+    out.push_back(travelled);
+    ray.origin = p.position;
+    start = leaving(glm::dot(p.normal, ray.direction) < 0 ? Leaving::inward : Leaving::outward);
+  }
+  return out;
+}
+
+void expect_crossings(const Torus& torus, const Ray& ray, const std::vector<double>& expected) {
+  const std::vector<double> found = crossings(torus, ray);
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_NEAR(found[i], expected[i], 4e-15 * (1 + expected[i]));
+  }
+}
+
+TEST(Torus, IsMetFourTimesAcross) {
+  expect_crossings(Torus{}, {{3, 0, 0}, {-1, 0, 0}}, {1.75, 2.25, 3.75, 4.25});
+  expect_crossings(Torus{}, {{3, 0, 0}, {-2, 0, 0}}, {0.875, 1.125, 1.875, 2.125});
+}
+
+TEST(Torus, IsMetTwiceThroughTheTube) {
+  expect_crossings(Torus{}, {{1, 3, 0}, {0, -1, 0}}, {2.75, 3.25});
+  expect_crossings(Torus{}, {{0, 3, -1}, {0, -1, 0}}, {2.75, 3.25});
+}
+
+TEST(Torus, LetsTheAxisThrough) {
+  expect_crossings(Torus{}, {{0, 3, 0}, {0, -1, 0}}, {});
+  expect_crossings(Torus{}, {{0.7, 3, 0}, {0, -1, 0}}, {});
+}
+
+TEST(Torus, TouchesItsTopPlaneOnlyWithinReach) {
+  EXPECT_EQ(t_of(Torus{}, {3, 0.2500000001, 0}, {-1, 0, 0}), -1);
+  EXPECT_NEAR(t_of(Torus{}, {3, 0.2499999, 0}, {-1, 0, 0}), 2 - std::sqrt(4.99999e-8), 1e-9);
+}
+
+TEST(Torus, IsLeftFromInsideTheTube) {
+  EXPECT_DOUBLE_EQ(t_of(Torus{}, {1, 0, 0}, {1, 0, 0}), 0.25);
+  EXPECT_DOUBLE_EQ(t_of(Torus{}, {1, 0, 0}, {-1, 0, 0}), 0.25);
+  EXPECT_DOUBLE_EQ(t_of(Torus{}, {1, 0, 0}, {0, 0.5, 0}), 0.5);
+}
+
+TEST(Torus, HornReachesTheCentre) {
+  expect_crossings(Torus{1, 1}, {{3, 0, 0.5}, {-1, 0, 0}},
+                   {3 - std::sqrt(3.75), 3 + std::sqrt(3.75)});
+}
+
+TEST(Torus, SpindleHasAHollowLemon) {
+  // R = 1/2, r = 1: across the equator the solid is 1/2 < rho < 3/2.
+  expect_crossings(Torus{0.5, 1}, {{3, 0, 0}, {-1, 0, 0}}, {1.5, 2.5, 3.5, 4.5});
+  // Down the axis the ray touches the lemon's tips, where apple and lemon meet, and no more.
+  const SurfacePoint lemon = point_of(Torus{0.5, 1}, {0, 0, 0}, {1, 0, 0});
+  expect_near(lemon.position, {0.5, 0, 0}, 1e-15);
+  expect_near(lemon.normal, {-1, 0, 0}, 1e-15);  // out of the solid, into the lemon
+  const SurfacePoint apple = point_of(Torus{0.5, 1}, {3, 0, 0}, {-1, 0, 0});
+  expect_near(apple.normal, {1, 0, 0}, 1e-15);
+}
+
+TEST(Torus, ThinRingIsMetOnItsTube) {
+  const double r = 1e-6;
+  const SurfacePoint p = point_of(Torus{1, r}, {3, 0, 0.5 * r}, {-1, 0, 0});
+  EXPECT_NEAR(glm::length(Vec3(p.position.x, 0, p.position.z)), 1 + r, 1e-15);
+  EXPECT_NEAR(glm::length(p.normal), 1, 1e-15);
+}
+
+TEST(Torus, LeavingDividesTheStartOut) {
+  const Torus torus;
+  EXPECT_EQ(t_of(torus, {1.25, 0, 0}, {1, 0, 0}, leaving(Leaving::outward)), -1);
+  EXPECT_NEAR(t_of(torus, {1.25, 0, 0}, {-1, 0, 0}, leaving(Leaving::inward)), 0.5, 1e-15);
+  EXPECT_NEAR(t_of(torus, {0.75, 0, 0}, {-1, 0, 0}, leaving(Leaving::outward)), 1.5, 1e-15);
+  // Along the hole's waist the surface curves towards the ray: out by a hair, soon in again.
+  EXPECT_EQ(t_of(torus, {0.75, 0, 0}, {-1e-3, 1, 0}, leaving(Leaving::outward)), -1);
+  EXPECT_GT(t_of(torus, {0.75, 0, 0}, {-1e-3, 0, 1}, leaving(Leaving::outward)), 1e-4);
+}
+
+TEST(Torus, EqualTorusCountsAsLeft) {
+  EXPECT_EQ(t_of(Torus{}, {1.25 - 1e-16, 0, 0}, {1, 0, 0}, near_start(1e-15)), -1);
+  EXPECT_NEAR(t_of(Torus{}, {1.25, 0, 0}, {-1, 0, 0}, near_start(1e-15)), 0.5, 1e-15);
+}
+
+TEST(Torus, IsNeverHitByNanOrByNothing) {
+  EXPECT_FALSE(hit(Torus{}, {3, nan, 0}, {-1, 0, 0}).has_value());
+  EXPECT_FALSE(hit(Torus{}, {3, 0, 0}, {-1, 0, nan}).has_value());
+  EXPECT_FALSE(hit(Torus{}, {1.25, 0, 0}, {0, 0, 0}, leaving(Leaving::inward)).has_value());
+}
+
+}  // namespace
+}  // namespace rt::testing
