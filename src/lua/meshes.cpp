@@ -19,7 +19,7 @@ std::shared_ptr<const MeshData> mesh_of_file(const Call& call, const std::string
   const FoundFile file = find_file(call, name, folders);
   auto& mesh = run.meshes[file.real];
   if (!mesh) {
-    mesh = run.host.load_mesh(file.real);
+    mesh = run.host.load_mesh(file.shown);  // so that its messages show the path as given
   }
   return mesh;
 }

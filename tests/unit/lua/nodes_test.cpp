@@ -95,7 +95,7 @@ TEST_F(Nodes, ANodePrintsAsItsName) {
   run("assert(tostring(gr.sphere('ball')) == \"node 'ball'\")");
 }
 
-TEST_F(Nodes, AHundredThousandInAChainAreLetGoWithoutOverflow) {
+TEST_F(Nodes, ALongChainIsLetGoWithoutOverflow) {
   run(R"(
     local root = gr.node('0')
     local last = root
@@ -103,7 +103,6 @@ TEST_F(Nodes, AHundredThousandInAChainAreLetGoWithoutOverflow) {
       local next = gr.node('n')
       last:add_child(next)
       last = next
-      if i % 1000 == 0 then next = nil end
     end)");
 }
 

@@ -21,6 +21,7 @@ class ScriptTest : public testing::Test {
     host_.warn = [this](const std::string& text) { warnings_.push_back(text); };
     host_.load_mesh = [this](const std::filesystem::path& path) {
       loaded_.push_back(path);
+      real_.push_back(std::filesystem::canonical(path));
       return std::make_shared<const MeshData>();
     };
   }
@@ -91,7 +92,8 @@ class ScriptTest : public testing::Test {
   Limits limits_;
   std::vector<RenderJob> jobs_;
   std::vector<std::string> warnings_;
-  std::vector<std::filesystem::path> loaded_;
+  std::vector<std::filesystem::path> loaded_;  ///< meshes, as the host was asked for them
+  std::vector<std::filesystem::path> real_;    ///< the same, canonical
 };
 
 }  // namespace rt::lua
