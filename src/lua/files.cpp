@@ -87,6 +87,10 @@ int load_text(lua_State* L, std::string source, const std::string& shown) {
   if (source.starts_with('#')) {
     source.erase(0, source.find('\n'));  // the line's end stays, so that lines keep their numbers
   }
+  if (source.starts_with(LUA_SIGNATURE[0])) {
+    lua_pushfstring(L, "%s: expected Lua source text, got compiled Lua (bytecode)", shown.c_str());
+    return LUA_ERRSYNTAX;
+  }
   return luaL_loadbufferx(L, source.data(), source.size(), ("@" + shown).c_str(), "t");
 }
 

@@ -9,7 +9,7 @@ namespace rt {
 namespace {
 
 constexpr std::size_t max_graph_depth = 10'000;
-constexpr std::size_t max_instances = 100'000'000;
+constexpr std::size_t max_instances = 20'000'000;
 
 class Flattener {
  public:
