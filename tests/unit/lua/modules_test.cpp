@@ -74,8 +74,8 @@ TEST_F(Modules, FilesOutsideTheScriptsFolderAreRefused) {
 
 TEST_F(Modules, BytecodeFilesAreRefused) {
   write("code.lua", "\x1bLua");
-  expect_error("require 'code'", "", {"binary chunk"});
-  expect_error("dofile 'code.lua'", "", {"binary chunk"});
+  expect_error("require 'code'", "", {"bytecode"});
+  expect_error("dofile 'code.lua'", "", {"bytecode"});
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ TEST_F(Sandbox, LoadTakesTextOnly) {
     assert(f == nil and text:find('binary chunk'), text))");
 }
 
-TEST_F(Sandbox, ABinaryScriptIsRefused) { expect_error("\x1bLua", "", {"binary chunk"}); }
+TEST_F(Sandbox, ABinaryScriptIsRefused) { expect_error("\x1bLua", "", {"bytecode"}); }
 
 TEST_F(Sandbox, ScriptsMayOverwriteGlobals) {
   run(R"(
