@@ -1,5 +1,7 @@
 #include "rt/render/query.h"
 
+#include <algorithm>
+
 #include "rt/math/rounding.h"
 #include "rt/render/accel/box_tree.h"
 
@@ -67,12 +69,14 @@ class Nearest {
   void offer(const SceneHit& hit) {
     if (hit.t < nearest_) {
       nearest_ = hit.t;
-      limit_ = hit.t * (1.0 + tie);
+      limit_ = std::min(limit_, hit.t * (1.0 + tie));
     }
     if (winner_.t > limit_ || hit.instance < winner_.instance) {
       winner_ = hit;
     }
   }
+
+  explicit Nearest(double t_max) : limit_(t_max) {}
 
   std::optional<SceneHit> winner() const {
     return winner_.instance == no_instance ? std::nullopt : std::optional(winner_);
@@ -80,22 +84,20 @@ class Nearest {
 
  private:
   double nearest_ = std::numeric_limits<double>::infinity();
-  double limit_ = std::numeric_limits<double>::infinity();
+  double limit_;
   SceneHit winner_;
 };
 
-}  // namespace
-
-Ray model_ray(const PlannedInstance& instance, const TraceRay& ray) {
-  return {instance.model_from_render.point(ray.origin),
-          instance.model_from_render.vector(ray.direction)};
-}
-
-std::optional<SceneHit> closest_hit(const RenderPlan& plan, const TraceRay& ray) {
-  Nearest nearest;
+/// The nearest crossing with t <= t_max among the instances that `counts` accepts.
+template <class Counts>
+std::optional<SceneHit> nearest_of(const RenderPlan& plan, const TraceRay& ray, double t_max,
+                                   Counts counts) {
+  Nearest nearest(t_max);
   const auto test = [&](std::uint32_t id) {
-    if (const auto hit = intersect_instance(plan, id, ray, nearest.limit())) {
-      nearest.offer({hit->t, id, hit->feature});
+    if (counts(plan.instances[id])) {
+      if (const auto hit = intersect_instance(plan, id, ray, nearest.limit())) {
+        nearest.offer({hit->t, id, hit->feature});
+      }
     }
   };
   for (const std::uint32_t id : plan.unbounded) {
@@ -114,9 +116,36 @@ std::optional<SceneHit> closest_hit(const RenderPlan& plan, const TraceRay& ray)
   return nearest.winner();
 }
 
+}  // namespace
+
+Ray model_ray(const PlannedInstance& instance, const TraceRay& ray) {
+  return {instance.model_from_render.point(ray.origin),
+          instance.model_from_render.vector(ray.direction)};
+}
+
+std::optional<SceneHit> instance_hit(const RenderPlan& plan, std::uint32_t instance,
+                                     const TraceRay& ray) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const auto hit = intersect_instance(plan, instance, ray, inf);
+  return hit ? std::optional(SceneHit{hit->t, instance, hit->feature}) : std::nullopt;
+}
+
+std::optional<SceneHit> closest_hit(const RenderPlan& plan, const TraceRay& ray) {
+  return nearest_of(plan, ray, std::numeric_limits<double>::infinity(),
+                    [](const PlannedInstance&) { return true; });
+}
+
+std::optional<SceneHit> closest_dimming_hit(const RenderPlan& plan, const TraceRay& ray,
+                                            double t_max) {
+  return nearest_of(plan, ray, t_max, [](const PlannedInstance& instance) {
+    return instance.shadow == Shadow::dims;
+  });
+}
+
 bool occluded(const RenderPlan& plan, const TraceRay& ray, double t_max) {
   const auto hit = [&](std::uint32_t id) {
-    return intersect_instance(plan, id, ray, t_max).has_value();
+    return plan.instances[id].shadow == Shadow::blocks &&
+           intersect_instance(plan, id, ray, t_max).has_value();
   };
   for (const std::uint32_t id : plan.unbounded) {
     if (hit(id)) {

@@ -49,9 +49,10 @@ class Shared {
 void render_tile(const RenderPlan& plan, const Crop& crop, const Crop& tile, Film& film,
                  Shared& shared) {
   RenderStatistics statistics;
+  Tracer tracer(plan);
   for (int y = tile.y; y < tile.y + tile.height; ++y) {
     for (int x = tile.x; x < tile.x + tile.width; ++x) {
-      film.set(x - crop.x, y - crop.y, render_pixel(plan, x, y, statistics));
+      film.set(x - crop.x, y - crop.y, render_pixel(tracer, x, y, statistics));
     }
   }
   shared.add(statistics, tile.width * tile.height);
