@@ -37,11 +37,16 @@ double disc_share(double s) {
 double exact(const Edge& e, double w) {
   constexpr int n = 48;
   double sum = 0;
-  for (int i = 0; i < (w == 0.0 ? 1 : n * n); ++i) {
-    const Vec2 p{(i % n + 0.5) / n - 0.5, (i / n + 0.5) / n - 0.5};
-    sum += disc_share(e.s - w * glm::dot(p, e.n));
+  if (w == 0.0) {
+    return disc_share(e.s);
   }
-  return w == 0.0 ? sum : sum / (n * n);
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      const Vec2 p{(i + 0.5) / n - 0.5, (j + 0.5) / n - 0.5};
+      sum += disc_share(e.s - w * glm::dot(p, e.n));
+    }
+  }
+  return sum / (n * n);
 }
 
 struct Draws {
