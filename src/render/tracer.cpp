@@ -52,6 +52,7 @@ struct Tracer::Scatter {
   const Vec3& direction;
   double n1 = 1.0, n2 = 1.0;  ///< of the media before and behind the surface
   bool divided = false;       ///< both branches are followed
+  bool chosen = false;        ///< one of them was chosen by chance
 };
 
 Tracer::Tracer(const RenderPlan& plan)
@@ -136,10 +137,14 @@ void Tracer::divide(const Scatter& at, double reflected, double transmitted) {
     both.divided = reflected > 0.0 && transmitted > 0.0;
     transmit(both, throughput * transmitted);
     reflect(both, throughput * reflected);
-  } else if (sampler_->lobe_choice(at.path.vertex) < p) {
-    reflect(at, throughput * total);
   } else {
-    transmit(at, throughput * total);
+    Scatter one = at;
+    one.chosen = true;
+    if (sampler_->lobe_choice(at.path.vertex) < p) {
+      reflect(one, throughput * total);
+    } else {
+      transmit(one, throughput * total);
+    }
   }
 }
 
@@ -184,7 +189,7 @@ void Tracer::add(const Scatter& at, const Vec3& direction, const Rgb& throughput
     // Branches are told apart as the nodes of a binary tree; they wrap harmlessly far down.
     next.vertex.copy = 2 * next.vertex.copy + (outward ? 2 : 1);
   }
-  if (drawn) {
+  if (drawn || at.chosen) {
     ++next.vertex.order;
   }
   const double weight = largest(throughput);
@@ -192,11 +197,12 @@ void Tracer::add(const Scatter& at, const Vec3& direction, const Rgb& throughput
     if (!plan_.random) {
       return;
     }
-    // Roulette: the survivors carry the weight of the others.
-    const Vertex roulette{at.path.vertex.order, ~next.vertex.copy};
-    if (sampler_->lobe_choice(roulette) * negligible_ >= weight) {
+    // Roulette: the survivors carry the weight of the others. Its draw is multiplied with those
+    // before and after it, so it has an order of its own.
+    if (sampler_->lobe_choice(next.vertex) * negligible_ >= weight) {
       return;
     }
+    ++next.vertex.order;
     next.throughput *= negligible_ / weight;
   }
   ++(outward ? counts_->reflection : counts_->refraction);
