@@ -67,7 +67,7 @@ Rgb reflected(const Phong& phong, const ShadingPoint& point, const Vec3& view, c
   Rgb sum = phong.kd * n_dot_l;
   if (!is_black(phong.ks)) {
     const double r_dot_v = 2.0 * n_dot_l * glm::dot(point.shading_normal, view) - glm::dot(l, view);
-    if (r_dot_v > 0.0) {
+    if (r_dot_v > phong.least_r_dot_v) {
       sum += phong.ks * std::pow(r_dot_v, phong.shininess);
     }
   }
@@ -107,12 +107,12 @@ Rgb visibility(const RenderPlan& plan, const ShadingPoint& from, const Vec3& way
 
 Rgb direct_light(const RenderPlan& plan, std::size_t index, const Phong& phong,
                  const ShadingPoint& point, const Vec3& view, const Sampler& sampler,
-                 const Vertex& vertex, RayCounts& counts) {
+                 const Vertex& vertex, double negligible, RayCounts& counts) {
   const Light& light = plan.lights[index];
   const LightSample s = sample_light(light, point.position, sampler, vertex);
   const Rgb value = reflected(phong, point, view, s.direction) * light.colour *
                     (s.weight * falloff(light, s.distance));
-  if (is_black(value)) {
+  if (!(max_abs(value) > negligible)) {
     return Rgb(0.0);
   }
   if (!s.shadowed) {

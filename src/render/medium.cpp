@@ -17,17 +17,23 @@ bool inside(const RenderPlan& plan, std::uint32_t id, const TraceRay& ray) {
 
 std::uint32_t medium_ahead(const RenderPlan& plan, const ShadingPoint& point,
                            const Vec3& direction) {
-  const std::span<const std::uint32_t> candidates = plan.media_about(point.instance);
   const TraceRay ray = leave(point, direction);
-  if (candidates.size() == 1 && candidates[0] == point.instance) {
-    return ray.leaving == Leaving::inward ? point.instance : no_instance;  // the usual case
-  }
-  for (const std::uint32_t id : candidates) {  // smallest first
+  for (const std::uint32_t id : plan.media_about(point.instance)) {  // smallest first
     if (inside(plan, id, ray)) {
       return id;
     }
   }
   return no_instance;
+}
+
+Media media_about(const RenderPlan& plan, const ShadingPoint& point, const Vec3& direction) {
+  const std::span<const std::uint32_t> candidates = plan.media_about(point.instance);
+  if (candidates.size() == 1 && candidates[0] == point.instance) {
+    // The usual case: nothing transmissive is near but the solid itself.
+    return point.side == Leaving::outward ? Media{no_instance, point.instance}
+                                          : Media{point.instance, no_instance};
+  }
+  return {medium_ahead(plan, point, -direction), medium_ahead(plan, point, direction)};
 }
 
 double index_of(const RenderPlan& plan, std::uint32_t medium) {

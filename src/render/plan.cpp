@@ -5,19 +5,22 @@
 #include <unordered_map>
 
 #include "media_plan.h"
+#include "rt/render/accel/box_list.h"
 #include "rt/render/accel/box_tree.h"
 
 namespace rt {
 namespace {
 
-// Below this many boxes, trying them one by one costs no more than walking a hierarchy.
-constexpr std::size_t few = 8;
+// Up to so many boxes a list is faster than a hierarchy (bench/NOTES.md).
+constexpr std::size_t few = 48;
 
-bool wants_tree(const RenderOptions& options, std::size_t boxes) {
+enum class Candidates { one_by_one, list, tree };
+
+Candidates candidates_for(const RenderOptions& options, std::size_t boxes) {
   if (!options.acceleration || options.accel == AccelChoice::none || boxes == 0) {
-    return false;
+    return Candidates::one_by_one;
   }
-  return options.accel == AccelChoice::bvh || boxes > few;
+  return options.accel == AccelChoice::bvh || boxes > few ? Candidates::tree : Candidates::list;
 }
 
 class Planner {
@@ -28,6 +31,10 @@ class Planner {
     plan_.options = job_.options;
     plan_.ambient = job_.ambient;
     plan_.camera = frame(job_.camera, job_.options);
+    for (const Light& light : job_.lights) {
+      // Its colour over the least of the falloff; endless where nothing bounds that.
+      brightest_light_ = std::max(brightest_light_, max_abs(light.colour) / light.falloff.c0);
+    }
     plan_.instances.reserve(job_.instances.size() + job_.lights.size());
     for (const Instance& instance : job_.instances) {
       place(instance);
@@ -36,8 +43,15 @@ class Planner {
       place(light);
     }
     find_media(plan_, all_boxes_);
-    if (wants_tree(plan_.options, boxes_.size())) {
-      plan_.tree = std::make_unique<BoxTree>(boxes_);
+    switch (candidates_for(plan_.options, boxes_.size())) {
+      case Candidates::tree:
+        plan_.tree = std::make_unique<BoxTree>(boxes_);
+        break;
+      case Candidates::list:
+        plan_.list = std::make_unique<BoxList>(boxes_);
+        break;
+      case Candidates::one_by_one:
+        break;
     }
     return std::move(plan_);
   }
@@ -98,6 +112,8 @@ class Planner {
     if (const auto inverted = inverse(to.render_from_model)) {
       to.model_from_render = *inverted;
     }
+    to.moved_only =
+        to.render_from_model.linear == Mat3(1.0) && to.model_from_render.linear == Mat3(1.0);
     to.model_per_render = norm(to.model_from_render.linear);
     to.render_per_model = norm(to.render_from_model.linear);
     to.shape = from.shape;
@@ -133,7 +149,7 @@ class Planner {
 
   PlannedMaterial planned(const Material& from) {
     const RenderOptions& options = plan_.options;
-    PlannedMaterial to{from, false, std::nullopt};
+    PlannedMaterial to{from};
     if (!options.refraction) {
       to.opacity = 1.0;
     }
@@ -141,6 +157,10 @@ class Planner {
       to.glossiness = 0.0;
     }
     to.transmissive = to.opacity < 1.0;
+    const double brightest = max_abs(to.ks) * brightest_light_;
+    if (to.shininess > 0.0 && brightest > 0.0) {
+      to.least_r_dot_v = std::pow(negligible_light(options) / brightest, 1.0 / to.shininess);
+    }
     const bool mirrors = to.transmissive || to.reflectivity != Rgb(0.0);
     if (mirrors && to.glossiness > 0.0) {
       to.lobe.emplace(2.0 / (to.glossiness * to.glossiness) - 2.0);
@@ -163,7 +183,7 @@ class Planner {
       auto planned = std::make_unique<PlannedMesh>();
       planned->data = from.data;
       const auto count = static_cast<std::uint32_t>(from.data->triangles.size());
-      if (wants_tree(plan_.options, count)) {
+      if (candidates_for(plan_.options, count) == Candidates::tree) {
         std::vector<Bounds> boxes;
         boxes.reserve(count);
         for (std::uint32_t i = 0; i < count; ++i) {
@@ -182,6 +202,7 @@ class Planner {
   std::vector<Bounds> boxes_;      ///< of plan_.bounded
   std::vector<Bounds> all_boxes_;  ///< of all instances
   std::vector<std::shared_ptr<const Material>> kept_;
+  double brightest_light_ = 0.0;
   std::unordered_map<const Material*, std::uint32_t> materials_;
   std::unordered_map<const MeshData*, const PlannedMesh*> meshes_;
 };

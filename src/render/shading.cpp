@@ -8,10 +8,14 @@
 namespace rt {
 namespace {
 
-Vec3 unit_transposed(const Mat3& m, const Vec3& n) {
+/// The model's normal in render space: normals map by the inverse transpose.
+Vec3 render_normal(const PlannedInstance& instance, const Vec3& n) {
+  if (instance.moved_only) {
+    return n;
+  }
   // n * m is transpose(m) n. Scaled by its largest entry first: a world 1e200 times smaller or
   // larger still has unit normals.
-  const Vec3 v = n * m;
+  const Vec3 v = n * instance.model_from_render.linear;
   return glm::normalize(v / max_abs(v));
 }
 
@@ -40,10 +44,9 @@ ShadingPoint shading_point(const RenderPlan& plan, const TraceRay& ray, const Sc
                                       max_abs(instance.render_from_model.offset));
   // Normals map by the inverse transpose. Mirroring turns triangles inside out, but not their
   // normals: the outward side stays outward.
-  point.normal = unit_transposed(instance.model_from_render.linear, p.normal);
-  point.shading_normal = p.shading_normal == p.normal
-                             ? point.normal
-                             : unit_transposed(instance.model_from_render.linear, p.shading_normal);
+  point.normal = render_normal(instance, p.normal);
+  point.shading_normal =
+      p.shading_normal == p.normal ? point.normal : render_normal(instance, p.shading_normal);
   const bool from_outside = glm::dot(p.normal, in_model.direction) <= 0.0;
   point.side = from_outside ? Leaving::outward : Leaving::inward;
   if (!from_outside) {

@@ -99,12 +99,14 @@ void Tracer::follow(const Path& path) {
 Rgb Tracer::surface(const Path& path, const ShadingPoint& point, const PlannedMaterial& material,
                     const Vec3& direction) {
   const Phong phong{base_colour(plan_, point, material) * material.opacity, material.ks,
-                    material.shininess};
+                    material.shininess, material.least_r_dot_v};
+  const double negligible = negligible_light(plan_.options) / largest(path.throughput);
   Rgb sum = material.emission + phong.kd * plan_.ambient;
   const auto lights = static_cast<std::uint32_t>(plan_.lights.size());
   for (std::uint32_t i = 0; i < lights; ++i) {
     const Vertex vertex{path.vertex.order, path.vertex.copy * lights + i};
-    sum += direct_light(plan_, i, phong, point, -direction, *sampler_, vertex, *counts_);
+    sum +=
+        direct_light(plan_, i, phong, point, -direction, *sampler_, vertex, negligible, *counts_);
   }
   return sum;
 }
@@ -118,10 +120,9 @@ void Tracer::scatter(const Path& path, const ShadingPoint& point, const PlannedM
     }
     return;
   }
-  const std::uint32_t before = medium_ahead(plan_, point, -direction);
-  const std::uint32_t behind = medium_ahead(plan_, point, direction);
-  at.n1 = index_of(plan_, before);
-  at.n2 = index_of(plan_, behind);
+  const Media media = media_about(plan_, point, direction);
+  at.n1 = index_of(plan_, media.before);
+  at.n2 = index_of(plan_, media.behind);
   const double cos_i = std::min(1.0, std::abs(glm::dot(direction, point.shading_normal)));
   const double f = fresnel(cos_i, at.n1, at.n2);
   divide(at, plan_.options.reflection ? f : 0.0, (1.0 - material.opacity) * (1.0 - f));

@@ -5,8 +5,12 @@
 namespace rt {
 namespace {
 
-/// floor(x) modulo 2, without converting to an integer that may not hold it.
-bool odd_cell(double x) { return std::fmod(std::floor(x), 2.0) != 0.0; }
+/// floor(x) modulo 2, without converting to an integer that may not hold it. Exact: halves and
+/// floors of doubles are.
+bool odd_cell(double x) {
+  const double cell = std::floor(x);
+  return cell != 2.0 * std::floor(0.5 * cell);
+}
 
 }  // namespace
 

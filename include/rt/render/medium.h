@@ -12,6 +12,13 @@ namespace rt {
 std::uint32_t medium_ahead(const RenderPlan& plan, const ShadingPoint& point,
                            const Vec3& direction);
 
+/// The media on the two sides of a surface, for a ray that arrives in `direction`.
+struct Media {
+  std::uint32_t before;
+  std::uint32_t behind;
+};
+Media media_about(const RenderPlan& plan, const ShadingPoint& point, const Vec3& direction);
+
 /// Index of refraction of a medium; 1 for the open air.
 double index_of(const RenderPlan& plan, std::uint32_t medium);
 

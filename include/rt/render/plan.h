@@ -11,6 +11,7 @@
 
 namespace rt {
 
+class BoxList;
 class BoxTree;
 
 /// The triangles of one mesh, shared by all its instances.
@@ -22,8 +23,13 @@ struct PlannedMesh {
 /// A material with what follows from it, options considered.
 struct PlannedMaterial : Material {
   bool transmissive = false;            ///< opacity < 1: glass
+  double least_r_dot_v = 0.0;           ///< below it no highlight reaches negligible_light()
   std::optional<PowerCosineLobe> lobe;  ///< spreads reflection and transmission; none: perfect
 };
+
+/// The contribution of a light that is left out: a quarter of an 8-bit step where the display is
+/// steepest, at the default max_error.
+inline double negligible_light(const RenderOptions& options) { return options.max_error / 256.0; }
 
 /// What an instance does to shadow rays.
 enum class Shadow : std::uint8_t {
@@ -36,6 +42,7 @@ enum class Shadow : std::uint8_t {
 struct PlannedInstance {
   Affine render_from_model;
   Affine model_from_render;
+  bool moved_only = false;        ///< the linear parts are identities
   double model_per_render = 1.0;  ///< norm of model_from_render: bounds how errors grow
   double render_per_model = 1.0;
   std::shared_ptr<const Shape> shape;
@@ -65,7 +72,9 @@ struct RenderPlan {
   std::vector<std::unique_ptr<const PlannedMesh>> meshes;
   std::vector<std::uint32_t> unbounded;  ///< instances no box can hold
   std::vector<std::uint32_t> bounded;    ///< the others: what the tree's boxes stand for
-  std::unique_ptr<const BoxTree> tree;   ///< over `bounded`; null: try them one by one
+  /// Over `bounded`: a hierarchy, or for a few a list; neither: try them one by one.
+  std::unique_ptr<const BoxTree> tree;
+  std::unique_ptr<const BoxList> list;
   std::vector<PlannedMaterial> materials;
   std::vector<Light> lights;  ///< positions in render space
   CameraFrame camera;
