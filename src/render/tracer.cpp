@@ -50,7 +50,8 @@ struct Tracer::Scatter {
   const ShadingPoint& point;
   const PlannedMaterial& material;
   const Vec3& direction;
-  double n1 = 1.0, n2 = 1.0;  ///< of the media before and behind the surface
+  Media media;                ///< of glass
+  double n1 = 1.0, n2 = 1.0;  ///< indices of the media before and behind the surface
   bool divided = false;       ///< both branches are followed
   bool chosen = false;        ///< one of them was chosen by chance
 };
@@ -85,14 +86,27 @@ void Tracer::follow(const Path& path) {
   const PlannedMaterial& material = plan_.materials[plan_.instances[hit->instance].material];
   const double length = glm::length(path.ray.direction);
   const Vec3 direction = path.ray.direction / length;
+  Media media{no_instance, no_instance};
+  if (material.transmissive) {
+    media = media_about(plan_, point, direction);
+  } else if (plan_.absorbs) {
+    media.before = medium_ahead(plan_, point, -direction);
+  }
   Path here = path;
   if (plan_.absorbs) {
-    const std::uint32_t medium = medium_ahead(plan_, point, -direction);
-    here.throughput *= transmittance(plan_, medium, hit->t * length);
+    here.throughput *= transmittance(plan_, media.before, hit->t * length);
+  }
+  const bool deepest = here.depth >= plan_.options.max_depth;
+  const Scatter at{here, point, material, direction, media};
+  if (material.transmissive && hides(plan_, media, hit->instance)) {
+    if (!deepest) {
+      add(at, direction, here.throughput, false);
+    }
+    return;
   }
   sum_ += here.throughput * surface(here, point, material, direction);
-  if (here.depth < plan_.options.max_depth) {
-    scatter(here, point, material, direction);
+  if (!deepest) {
+    scatter(at);
   }
 }
 
@@ -111,21 +125,19 @@ Rgb Tracer::surface(const Path& path, const ShadingPoint& point, const PlannedMa
   return sum;
 }
 
-void Tracer::scatter(const Path& path, const ShadingPoint& point, const PlannedMaterial& material,
-                     const Vec3& direction) {
-  Scatter at{path, point, material, direction};
-  if (!material.transmissive) {
+void Tracer::scatter(const Scatter& at) {
+  if (!at.material.transmissive) {
     if (plan_.options.reflection) {
-      reflect(at, path.throughput * material.reflectivity);
+      reflect(at, at.path.throughput * at.material.reflectivity);
     }
     return;
   }
-  const Media media = media_about(plan_, point, direction);
-  at.n1 = index_of(plan_, media.before);
-  at.n2 = index_of(plan_, media.behind);
-  const double cos_i = std::min(1.0, std::abs(glm::dot(direction, point.shading_normal)));
-  const double f = fresnel(cos_i, at.n1, at.n2);
-  divide(at, plan_.options.reflection ? f : 0.0, (1.0 - material.opacity) * (1.0 - f));
+  Scatter glass = at;
+  glass.n1 = index_of(plan_, at.media.before);
+  glass.n2 = index_of(plan_, at.media.behind);
+  const double cos_i = std::min(1.0, std::abs(glm::dot(at.direction, at.point.shading_normal)));
+  const double f = fresnel(cos_i, glass.n1, glass.n2);
+  divide(glass, plan_.options.reflection ? f : 0.0, (1.0 - at.material.opacity) * (1.0 - f));
 }
 
 void Tracer::divide(const Scatter& at, double reflected, double transmitted) {
