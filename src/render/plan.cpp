@@ -42,6 +42,9 @@ class Planner {
     for (const Light& light : job_.lights) {
       place(light);
     }
+    if (plan_.absorbs) {
+      let_clear_glass_dim();
+    }
     find_media(plan_, all_boxes_);
     switch (candidates_for(plan_.options, boxes_.size())) {
       case Candidates::tree:
@@ -168,6 +171,15 @@ class Planner {
     }
     plan_.absorbs |= to.transmissive && to.absorption != Rgb(0.0);
     return to;
+  }
+
+  /// Where some medium absorbs, clear glass displaces it: shadow rays have to meet its surface.
+  void let_clear_glass_dim() {
+    for (PlannedInstance& instance : plan_.instances) {
+      if (plan_.materials[instance.material].transmissive) {
+        instance.shadow = Shadow::dims;
+      }
+    }
   }
 
   static Shadow shadow_of(const PlannedMaterial& material) {

@@ -35,7 +35,7 @@ inline double negligible_light(const RenderOptions& options) { return options.ma
 enum class Shadow : std::uint8_t {
   blocks,
   dims,  ///< lets (1 - opacity) through at every crossing, less what its inside absorbs
-  none,  ///< clear glass, and the shapes of lights
+  none,  ///< clear glass where nothing absorbs, and the shapes of lights
 };
 
 /// One shape placed in render space.
