@@ -162,7 +162,8 @@ class Planner {
     to.transmissive = to.opacity < 1.0;
     const double brightest = max_abs(to.ks) * brightest_light_;
     if (to.shininess > 0.0 && brightest > 0.0) {
-      to.least_r_dot_v = std::pow(negligible_light(options) / brightest, 1.0 / to.shininess);
+      to.least_r_dot_v =
+          std::pow(negligible_light(options, job_.lights.size()) / brightest, 1.0 / to.shininess);
     }
     const bool mirrors = to.transmissive || to.reflectivity != Rgb(0.0);
     if (mirrors && to.glossiness > 0.0) {

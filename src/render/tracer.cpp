@@ -114,7 +114,8 @@ Rgb Tracer::surface(const Path& path, const ShadingPoint& point, const PlannedMa
                     const Vec3& direction) {
   const Phong phong{base_colour(plan_, point, material) * material.opacity, material.ks,
                     material.shininess, material.least_r_dot_v};
-  const double negligible = negligible_light(plan_.options) / largest(path.throughput);
+  const double negligible =
+      negligible_light(plan_.options, plan_.lights.size()) / largest(path.throughput);
   Rgb sum = material.emission + phong.kd * plan_.ambient;
   const auto lights = static_cast<std::uint32_t>(plan_.lights.size());
   for (std::uint32_t i = 0; i < lights; ++i) {
