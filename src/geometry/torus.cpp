@@ -5,7 +5,8 @@
 
 #include "convex.h"
 #include "first_crossing.h"
-#include "recentre.h"
+#include "longitude.h"
+#include "rt/math/rounding.h"
 #include "torus_form.h"
 
 namespace rt {
@@ -66,11 +67,11 @@ double size_of(const Torus& torus) { return torus.major_radius + torus.minor_rad
 
 /// The next crossing of a ray that starts on the torus, at u > 0 with the direction's length one.
 /// The crossing at 0 is divided out, and the side to which the ray leaves decides the sign.
-std::optional<double> next_crossing(const Torus& torus, const Vec3& o, const Vec3& d,
-                                    Leaving side) {
-  const double size = size_of(torus);
+std::optional<double> next_crossing(const TorusLine& line, Leaving side) {
+  const Torus& torus = line.torus;
+  const double size = line.size();
   const double sign = side == Leaving::outward ? 1 : -1;
-  Cubic cubic = cubic_of(torus, o, d);
+  Cubic cubic = cubic_of(torus, line.ray.origin, line.direction);
   cubic.c0 = sign * std::max(sign * cubic.c0, 0.0);
   const double end = 2.5 * size;  // a chord is no longer than 2 (R + r)
   // Up to a tube's radius away from the start the cubic is as good as the geometric form, and
@@ -90,7 +91,7 @@ std::optional<double> next_crossing(const Torus& torus, const Vec3& o, const Vec
     const double resolution = close ? 0 : coarse_step * size;
     std::optional<double> s = first_crossing(cubic, piece, sign, noise, resolution);
     if (s && !close) {
-      s = finish_root(torus, o, d, *s, sign, piece.begin);
+      s = finish_root(line, *s, sign, piece.begin);
     }
     if (s) {
       return s;
@@ -101,7 +102,8 @@ std::optional<double> next_crossing(const Torus& torus, const Vec3& o, const Vec
 
 OptionalHit leave_torus(const Torus& torus, const Ray& ray, double t_max, Leaving side) {
   const double length = glm::length(ray.direction);
-  const std::optional<double> u = next_crossing(torus, ray.origin, ray.direction / length, side);
+  const std::optional<double> u =
+      next_crossing({torus, ray, {ray.origin, 0, 0}, ray.direction / length, length}, side);
   if (side == Leaving::inward) {
     return exit_hit(u ? *u / length : 0, 0, t_max);
   }
@@ -150,10 +152,9 @@ Chord clip_to_bounds(const Torus& torus, const Vec3& o, const Vec3& d) {
 }
 
 /// The first crossing within the chord; `sign` is the quartic's sign at its beginning.
-std::optional<double> first_root(const Torus& torus, const Vec3& o, const Vec3& d,
-                                 const Chord& chord, double sign) {
-  const double size = size_of(torus);
-  const Quartic quartic = quartic_of(torus, o, d);
+std::optional<double> first_root(const TorusLine& line, const Chord& chord, double sign) {
+  const double size = line.size();
+  const Quartic quartic = quartic_of(line.torus, line.line.origin, line.direction);
   // Convex but for the stretch between the inflections, if there are any.
   const double turn = quartic.c2 < 0 ? std::sqrt(-quartic.c2 / 6) : 0;
   const double left = std::clamp(-turn, chord.t_in, chord.t_out);
@@ -167,7 +168,7 @@ std::optional<double> first_root(const Torus& torus, const Vec3& o, const Vec3& 
     }
     std::optional<double> s = first_crossing(quartic, piece, sign, noise, coarse_step * size);
     if (s) {
-      s = finish_root(torus, o, d, *s, sign, chord.t_in);
+      s = finish_root(line, *s, sign, chord.t_in);
     }
     if (s) {
       return s;
@@ -206,7 +207,7 @@ OptionalHit intersect(const Torus& shape, const Ray& ray, double t_max, const Ra
     sign = inside(shape, ray.origin) ? -1 : 1;
   }
   chord.t_out = std::min(chord.t_out, line.local_parameter(t_max) * length);
-  const std::optional<double> s = first_root(shape, line.origin, d, chord, sign);
+  const std::optional<double> s = first_root({shape, ray, line, d, length}, chord, sign);
   if (!s) {
     return {};
   }
