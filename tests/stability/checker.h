@@ -1,6 +1,5 @@
 #pragma once
 #include <functional>
-#include <iosfwd>
 #include <vector>
 
 #include "stability/families.h"
@@ -19,6 +18,7 @@ struct Tally {
   long hits = 0;
   long missed = 0;  ///< a crossing that was not found, or found only after a later one
   long false_hits = 0;
+  long disputes = 0;  ///< answers that are wrong, or right only for a moved surface
   /// Wrong as well, but right for a shape whose surface is moved by 1e-14 of its size: what doubles
   /// cannot be expected to tell.
   long missed_below_resolution = 0;

@@ -111,8 +111,11 @@ bool agrees(const std::optional<Expected>& expected, const OptionalHit& hit, dou
     return !expected && !hit;
   }
   const double off = std::abs(hit->t - expected->t) * length;
-  // Along the normal, which the surface leaves with its curvature (one, and more on thin tori).
-  return off * std::abs(expected->cosine) <= tolerance + 8 * off * off;
+  const double cosine = std::abs(expected->cosine);
+  // A surface moved by the tolerance moves the crossing by tolerance / cosine, at most by the chord
+  // that appears at a tangent point.
+  const double chord = 4 * std::sqrt(tolerance);
+  return off * cosine <= tolerance || (cosine <= chord && off <= chord);
 }
 
 void judge(const Placement& placement, const Secondary& start, const Affine& model,

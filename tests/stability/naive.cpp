@@ -20,45 +20,35 @@ double largest_root(double a, double b, double c) {
   return u + (u != 0 ? q / u : 0) - a / 3;
 }
 
-/// The smaller positive root of t^2 + b t + c after a shift, kept if below `best`.
-void keep_quadratic(double b, double c, double shift, double& best) {
+/// The roots of y^2 + b y + c.
+int quadratic_roots(double b, double c, double* roots) {
   const double discriminant = b * b - 4 * c;
   if (discriminant < 0) {
-    return;
+    return 0;
   }
   const double root = std::sqrt(discriminant);
-  for (const double t : {(-b - root) / 2 - shift, (-b + root) / 2 - shift}) {
-    if (t > 0 && (best < 0 || t < best)) {
-      best = t;
-    }
-  }
+  roots[0] = (-b - root) / 2;
+  roots[1] = (-b + root) / 2;
+  return 2;
 }
 
 }  // namespace
 
-double smallest_positive_ferrari(double a4, double a3, double a2, double a1, double a0) {
-  const double b = a3 / a4;
-  const double c = a2 / a4;
-  const double d = a1 / a4;
-  const double e = a0 / a4;
-  const double p = c - 3 * b * b / 8;
-  const double q = b * b * b / 8 - b * c / 2 + d;
-  const double r = -3 * b * b * b * b / 256 + b * b * c / 16 - b * d / 4 + e;
-  double best = -1;
+int depressed_ferrari(double p, double q, double r, double* roots) {
   // y^4 + p y^2 + q y + r = (y^2 + m y + k) (y^2 - m y + l), m^2 a root of the resolvent.
   const double m2 = largest_root(2 * p, p * p - 4 * r, -q * q);
-  if (m2 <= 0) {
-    const double discriminant = p * p - 4 * r;
-    if (discriminant >= 0) {
-      keep_quadratic(0, (p - std::sqrt(discriminant)) / 2, b / 4, best);
-      keep_quadratic(0, (p + std::sqrt(discriminant)) / 2, b / 4, best);
-    }
-    return best;
+  if (m2 > 0) {
+    const double m = std::sqrt(m2);
+    const int count = quadratic_roots(m, (p + m2 - q / m) / 2, roots);
+    return count + quadratic_roots(-m, (p + m2 + q / m) / 2, roots + count);
   }
-  const double m = std::sqrt(m2);
-  keep_quadratic(m, (p + m2 - q / m) / 2, b / 4, best);
-  keep_quadratic(-m, (p + m2 + q / m) / 2, b / 4, best);
-  return best;
+  const double discriminant = p * p - 4 * r;
+  if (discriminant < 0) {
+    return 0;
+  }
+  const double root = std::sqrt(discriminant);
+  const int count = quadratic_roots(0, (p - root) / 2, roots);
+  return count + quadratic_roots(0, (p + root) / 2, roots + count);
 }
 
 OptionalHit naive_ferrari(const Torus& torus, const Ray& ray) {
@@ -69,10 +59,23 @@ OptionalHit naive_ferrari(const Torus& torus, const Ray& ray) {
   const double dd = glm::dot(d, d);
   const double od = glm::dot(o, d);
   const double k = glm::dot(o, o) - (R2 + r2);
-  const double t =
-      smallest_positive_ferrari(dd * dd, 4 * dd * od, 2 * dd * k + 4 * od * od + 4 * R2 * d.y * d.y,
-                                4 * k * od + 8 * R2 * o.y * d.y, k * k - 4 * R2 * (r2 - o.y * o.y));
-  return t > 0 ? OptionalHit(ShapeHit{t}) : OptionalHit{};
+  const double a4 = dd * dd;
+  const double b = 4 * dd * od / a4;
+  const double c = (2 * dd * k + 4 * od * od + 4 * R2 * d.y * d.y) / a4;
+  const double e = (4 * k * od + 8 * R2 * o.y * d.y) / a4;
+  const double f = (k * k - 4 * R2 * (r2 - o.y * o.y)) / a4;
+  double roots[4];
+  const int count =
+      depressed_ferrari(c - 3 * b * b / 8, b * b * b / 8 - b * c / 2 + e,
+                        -3 * b * b * b * b / 256 + b * b * c / 16 - b * e / 4 + f, roots);
+  OptionalHit nearest;
+  for (int i = 0; i < count; ++i) {
+    const double t = roots[i] - b / 4;
+    if (t > 0 && (!nearest || t < nearest->t)) {
+      nearest = ShapeHit{t};
+    }
+  }
+  return nearest;
 }
 
 }  // namespace rt::stability

@@ -7,8 +7,7 @@ namespace rt::stability {
 /// this suite exists to reject, and the yardstick of cost.
 OptionalHit naive_ferrari(const Torus& torus, const Ray& ray);
 
-/// The smallest of the quartic's positive roots by Ferrari, a4 t^4 + ... + a0, or a negative
-/// number.
-double smallest_positive_ferrari(double a4, double a3, double a2, double a1, double a0);
+/// Ferrari's closed form for y^4 + p y^2 + q y + r: the real roots, in no order; returns how many.
+int depressed_ferrari(double p, double q, double r, double* roots);
 
 }  // namespace rt::stability

@@ -2,7 +2,6 @@
 /// Pictures out of the program and, for comparisons, in. OpenImageIO lives in a module of its own
 /// that is opened on a thread of its own: loading it takes longer than rendering a small scene.
 #include <filesystem>
-#include <future>
 #include <map>
 #include <string>
 #include <vector>
@@ -19,23 +18,26 @@ struct Image {
 };
 
 /// Begins to load OpenImageIO on a thread of its own; later calls do nothing. Optional: the
-/// functions below load it if nobody has.
+/// functions below load it if nobody has. A process that exits meanwhile waits for the loading to
+/// end (some 0.3 s), so call it only once there is something to render.
 void preload();
 
 /// Throws FileError when no picture can be written under that name: an extension that is none of
-/// .png .bmp .exr .tga .jpg .jpeg (any case), or a folder that does not exist or cannot be written
-/// to. Does not need OpenImageIO, so that a mistake shows before the rendering, not after.
-void check_output(const std::filesystem::path& path);
+/// .png .bmp .exr .tga .jpg .jpeg (any case), a size that the format cannot hold, or a folder that
+/// does not exist or cannot be written to. Does not need OpenImageIO, so that a mistake shows
+/// before the rendering, not after.
+void check_output(const std::filesystem::path& path, int width = 0, int height = 0);
 
 /// Writes a picture: under a temporary name in the same folder, renamed once complete; on failure
 /// the temporary is removed and FileError thrown. PNG, BMP, TGA and JPEG are 8-bit, encoded as
-/// asked; EXR is 32-bit float, linear. `metadata` becomes text attributes (PNG, EXR); no date is
-/// written: equal inputs give equal bytes.
+/// asked, NaN as 0; JPEG at quality 95; EXR is 32-bit float, linear, zip-compressed. `metadata`
+/// becomes text attributes (PNG, EXR); no date is written: equal inputs give equal bytes.
 void write_image(const std::filesystem::path& path, const Image& image, Encoding encoding,
                  const std::map<std::string, std::string>& metadata);
 
-/// Reads a picture as stored values in 0..1 (8-bit) or float (EXR), without any decoding of sRGB.
-/// Throws FileError.
+/// Reads a picture in one of these formats, recognised by what it holds, as stored values in 0..1
+/// (8-bit) or float (EXR), without any decoding of sRGB. Grey becomes three equal channels; alpha
+/// is dropped. Throws FileError.
 Image read_image(const std::filesystem::path& path);
 
 }  // namespace rt::io

@@ -1,6 +1,7 @@
 #pragma once
 /// Runs a scene script. The only part of the program that knows Lua; the `gr` table it offers is
 /// described in docs/scripting.md.
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -22,11 +23,17 @@ struct Host {
   std::function<void(const std::string&)> warn;
 };
 
+/// What a script may use up.
+struct Limits {
+  std::size_t memory = std::size_t{2} << 30;  ///< bytes of Lua's own objects
+};
+
 /// Runs the script at `path` with `args` in the global `arg` (arg[0] is the script).
 /// Throws UserError, its text beginning with script:line where that is known: SceneError for what
 /// the script does wrong, FileError when the script cannot be read, and whatever the host throws,
-/// with its exit code kept.
+/// with its exit code kept; ExitCode::limit when a limit stopped it. An error that the script
+/// itself catches (pcall) is none.
 void run_script(const std::filesystem::path& path, const std::vector<std::string>& args,
-                const Host& host);
+                const Host& host, const Limits& limits = {});
 
 }  // namespace rt::lua

@@ -18,6 +18,7 @@ struct Node {
   std::shared_ptr<const Material> material;  ///< null: inherit the nearest ancestor's
   std::optional<Shape> shape;
   std::vector<std::shared_ptr<Node>> children;
+  bool has_parent = false;  ///< has been added under some node; kept by add_child
 };
 
 /// The methods of a script's nodes. As in the course framework each pre-multiplies: a rotation

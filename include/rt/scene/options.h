@@ -47,6 +47,8 @@ struct OptionSpec {
   std::string_view help;   ///< one line
   /// Checks the value and stores it. Throws std::invalid_argument "expected ..., got ...".
   void (*set)(RenderOptions&, const OptionValue&);
+  /// The value in force, for reports.
+  OptionValue (*get)(const RenderOptions&);
   bool in_script = true;        ///< may stand in gr.render's table
   bool on_command_line = true;  ///< has a flag; else only --disable names it
 };

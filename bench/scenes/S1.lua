@@ -1,0 +1,35 @@
+-- Primitives of every kind, two lights with hard shadows, one mirror.
+return require "peer" {
+  name = "S1",
+  size = {640, 480},
+  camera = {eye = {0, 3.5, 10}, look_at = {0, 0.8, 0}, up = {0, 1, 0}, fov = 32},
+  background = {0.2, 0.3, 0.5},
+  trace_level = 6,
+  lights = {
+    {position = {6, 10, 6}, color = {0.7, 0.7, 0.7}},
+    {position = {-8, 7, 4}, color = {0.3, 0.3, 0.35}},
+  },
+  materials = {
+    floor  = {color = {0.6, 0.6, 0.55}, ambient = 0.1, diffuse = 0.8},
+    red    = {color = {0.85, 0.15, 0.12}, ambient = 0.1, diffuse = 0.8, phong = 0.4, phong_size = 40},
+    green  = {color = {0.15, 0.7, 0.2}, ambient = 0.1, diffuse = 0.8, phong = 0.4, phong_size = 40},
+    blue   = {color = {0.15, 0.25, 0.85}, ambient = 0.1, diffuse = 0.8, phong = 0.4, phong_size = 40},
+    gold   = {color = {0.85, 0.65, 0.15}, ambient = 0.1, diffuse = 0.8, phong = 0.6, phong_size = 80},
+    white  = {color = {0.8, 0.8, 0.8}, ambient = 0.1, diffuse = 0.8, phong = 0.4, phong_size = 40},
+    mirror = {color = {0.05, 0.05, 0.05}, ambient = 0.02, diffuse = 0.3, phong = 0.6, phong_size = 200, reflect = 0.85},
+  },
+  objects = {
+    {"plane", 0, "floor"},
+    {"sphere", {0, 1.2, -1}, 1.2, "mirror"},
+    {"sphere", {-2.3, 0.7, 0.6}, 0.7, "red"},
+    {"sphere", {1.4, 0.5, 2.2}, 0.5, "green"},
+    {"sphere", {-0.6, 0.4, 2.6}, 0.4, "blue"},
+    {"sphere", {3.4, 0.9, -2}, 0.9, "gold"},
+    {"box", {2.6, 0.6, 0.6}, {0.6, 0.6, 0.6}, 30, "blue"},
+    {"box", {-3.4, 0.8, -1.6}, {0.8, 0.8, 0.8}, 0, "green"},
+    {"cylinder", {-1.6, 0, -3.2}, {-1.6, 2.4, -3.2}, 0.5, "gold"},
+    {"cylinder", {-2.9, 0.3, 2.3}, {-1.7, 0.3, 3}, 0.3, "white"},
+    {"torus", {0.5, 0.25, 3.3}, {0, 1, 0}, 0.6, 0.25, "red"},
+    {"torus", {1.9, 1.5, -2.4}, {0.2683281572999747, 0.35777087639996635, 0.8944271909999159}, 1.1, 0.3, "white"},
+  },
+}

@@ -1,0 +1,20 @@
+#pragma once
+/// From linear light to the 8-bit numbers of a file.
+#include <cstdint>
+#include <vector>
+
+#include "rt/io/image.h"
+
+namespace rt::io {
+
+/// The opto-electronic transfer function of IEC 61966-2-1 (sRGB), from [0,1] onto [0,1].
+double srgb_oetf(double linear);
+
+/// 255 times the value, or its sRGB encoding, rounded to the nearest and clamped to 0..255.
+/// NaN becomes 0, so that one bad pixel does not cost the picture.
+std::uint8_t encode8(float linear, Encoding encoding);
+
+/// encode8 of every channel of every pixel.
+std::vector<std::uint8_t> encode8(const Image& image, Encoding encoding);
+
+}  // namespace rt::io

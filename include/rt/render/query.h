@@ -1,0 +1,20 @@
+#pragma once
+/// The two questions asked of a scene.
+#include <optional>
+
+#include "rt/render/plan.h"
+#include "rt/render/trace.h"
+
+namespace rt {
+
+/// The ray in the instance's model space, with the same parameter t.
+Ray model_ray(const PlannedInstance& instance, const TraceRay& ray);
+
+/// The nearest crossing with 0 < t. Crossings that coincide within rounding error count as one, and
+/// the instance that stands first in the plan owns it: surfaces that coincide do not speckle.
+std::optional<SceneHit> closest_hit(const RenderPlan& plan, const TraceRay& ray);
+
+/// Whether anything is crossed with 0 < t <= t_max.
+bool occluded(const RenderPlan& plan, const TraceRay& ray, double t_max);
+
+}  // namespace rt

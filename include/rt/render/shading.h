@@ -1,0 +1,41 @@
+#pragma once
+/// The recursive shader: the radiance that arrives along a ray.
+#include <cstdint>
+
+#include "rt/render/plan.h"
+#include "rt/render/trace.h"
+
+namespace rt {
+
+/// Rays traced, by kind.
+struct RayCounts {
+  std::uint64_t camera = 0;
+  std::uint64_t shadow = 0;
+  std::uint64_t reflection = 0;
+
+  std::uint64_t total() const { return camera + shadow + reflection; }
+  RayCounts& operator+=(const RayCounts& other);
+};
+
+/// A hit in render space, with all that shading needs.
+struct ShadingPoint {
+  Vec3 position;
+  Vec3 normal;          ///< geometric, unit, towards the side the ray came from
+  Vec3 shading_normal;  ///< likewise
+  /// sign(outward normal . normal): which side of the surface the ray came from.
+  Leaving side;
+  double position_error;  ///< distance to the true surface point is at most this
+  std::uint32_t instance;
+  std::uint32_t feature;
+};
+
+ShadingPoint shading_point(const RenderPlan& plan, const TraceRay& ray, const SceneHit& hit);
+
+/// A ray from a shading point, which knows what it leaves and to which side.
+TraceRay leave(const ShadingPoint& from, const Vec3& direction);
+
+/// The radiance along a camera ray. `y` in [0,1], from the picture's top, places a background
+/// gradient. Counts the rays it takes.
+Rgb radiance(const RenderPlan& plan, const TraceRay& camera_ray, double y, RayCounts& counts);
+
+}  // namespace rt

@@ -1,0 +1,48 @@
+#include "rt/cli/output_path.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "rt/scene/error.h"
+
+namespace rt::cli {
+namespace fs = std::filesystem;
+namespace {
+
+bool is_inside(const fs::path& file, const fs::path& folder) {
+  const auto [rest, end] = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
+  return rest == folder.end();
+}
+
+fs::path confined(const fs::path& by_script) {
+  const fs::path here = fs::weakly_canonical(fs::current_path());
+  const fs::path file = fs::weakly_canonical(here / by_script);
+  if (!is_inside(file, here)) {
+    throw SceneError(fmt::format(
+        "gr.render: the picture '{}' would lie outside the working folder; choose a name below it, "
+        "or give the place on the command line with -o",
+        by_script.string()));
+  }
+  return by_script;
+}
+
+}  // namespace
+
+fs::path output_path(const fs::path& by_script, const fs::path& by_user, std::size_t index) {
+  if (by_user.empty()) {
+    return confined(by_script);
+  }
+  if (!by_user.has_filename() || fs::is_directory(by_user)) {
+    return by_user / by_script.filename();
+  }
+  if (index == 0) {
+    return by_user;
+  }
+  fs::path numbered = by_user;
+  numbered.replace_filename(
+      fmt::format("{}.{}{}", by_user.stem().string(), index + 1, by_user.extension().string()));
+  return numbered;
+}
+
+}  // namespace rt::cli

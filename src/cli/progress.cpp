@@ -1,0 +1,61 @@
+#include "rt/cli/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace rt::cli {
+
+ProgressReport::ProgressReport(ProgressStyle style, bool quiet, std::string picture)
+    : form_(Form::none), picture_(std::move(picture)) {
+  if (quiet || style == ProgressStyle::none) {
+    return;
+  }
+  if (style == ProgressStyle::json) {
+    form_ = Form::json;
+  } else {
+    const bool terminal = style == ProgressStyle::automatic && isatty(STDERR_FILENO) == 1;
+    form_ = terminal ? Form::bar : Form::plain;
+  }
+}
+
+ProgressReport::~ProgressReport() {
+  if (drawn_) {
+    std::fputs("\r\033[K", stderr);
+  }
+}
+
+void ProgressReport::bar(const Progress& progress, double seconds) {
+  constexpr int width = 30;
+  const int filled = static_cast<int>(progress.fraction * width);
+  fmt::print(stderr, "\r{} [{:#<{}}{:.<{}}] {:3.0f}%  {:.1f} M rays/s  {:.0f} s left\033[K",
+             picture_, "", filled, "", width - filled, 100.0 * progress.fraction,
+             static_cast<double>(progress.rays) / seconds / 1e6,
+             seconds * (1.0 - progress.fraction) / progress.fraction);
+  std::fflush(stderr);
+  drawn_ = true;
+}
+
+void ProgressReport::operator()(const Progress& progress) {
+  const auto now = Clock::now();
+  const double seconds = std::chrono::duration<double>(now - start_).count();
+  const bool due = now - last_ >= std::chrono::milliseconds(100);
+  if (form_ == Form::plain) {
+    const int tenths = static_cast<int>(progress.fraction * 10.0);
+    if (due && tenths > tenths_ && tenths < 10) {
+      tenths_ = tenths;
+      last_ = now;
+      fmt::print(stderr, "{}: {}0%, {:.1f} s\n", picture_, tenths, seconds);
+    }
+  } else if (due && form_ == Form::json) {
+    last_ = now;
+    fmt::print(stderr, "{{\"fraction\": {:.4f}, \"rays\": {}, \"seconds\": {:.2f}}}\n",
+               progress.fraction, progress.rays, seconds);
+  } else if (due && form_ == Form::bar) {
+    last_ = now;
+    bar(progress, seconds);
+  }
+}
+
+}  // namespace rt::cli

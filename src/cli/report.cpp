@@ -1,0 +1,83 @@
+#include "rt/cli/report.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "rt/scene/error.h"
+
+namespace rt::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json options_in_force(const RenderOptions& options) {
+  Json json;
+  for (const OptionSpec& spec : option_specs()) {
+    std::visit([&](const auto& value) { json[std::string(spec.name)] = value; }, spec.get(options));
+  }
+  return json;
+}
+
+Json picture(const PictureReport& r) {
+  const RayCounts& rays = r.statistics.rays;
+  const double seconds = r.phases.trace > 0.0 ? r.phases.trace : 1.0;
+  return {
+      {"picture", r.picture},
+      {"size", {r.options.width, r.options.height}},
+      {"crop", {r.crop.x, r.crop.y, r.crop.width, r.crop.height}},
+      {"instances", r.instances},
+      {"lights", r.lights},
+      {"seconds",
+       {{"script", r.phases.script},
+        {"plan", r.phases.plan},
+        {"trace", r.phases.trace},
+        {"trace_cpu", r.phases.trace_cpu},
+        {"write", r.phases.write}}},
+      {"rays",
+       {{"camera", rays.camera},
+        {"shadow", rays.shadow},
+        {"reflection", rays.reflection},
+        {"total", rays.total()},
+        {"per_second", static_cast<double>(rays.total()) / seconds}}},
+      {"samples", r.statistics.samples},
+      {"bad_samples", r.statistics.bad_samples},
+      {"options", options_in_force(r.options)},
+  };
+}
+
+}  // namespace
+
+std::string summary(const PictureReport& r) {
+  const auto rays = static_cast<double>(r.statistics.rays.total());
+  const double pixels = static_cast<double>(r.crop.width) * r.crop.height;
+  return fmt::format("{}: {}x{}, {:.3g} samples a pixel, {:.2f} s, {:.2f} M rays ({:.1f} M/s)",
+                     r.picture, r.crop.width, r.crop.height,
+                     static_cast<double>(r.statistics.samples) / pixels, r.phases.trace, rays / 1e6,
+                     rays / 1e6 / std::max(r.phases.trace, 1e-9));
+}
+
+void write_stats(const std::filesystem::path& file, const std::filesystem::path& scene, int threads,
+                 const std::vector<PictureReport>& reports) {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  Json pictures = Json::array();
+  for (const PictureReport& r : reports) {
+    pictures.push_back(picture(r));
+  }
+  const Json json{{"version", RT_VERSION},
+                  {"scene", scene.string()},
+                  {"threads", threads},
+                  {"peak_memory_bytes", static_cast<std::uint64_t>(usage.ru_maxrss) * 1024},
+                  {"pictures", pictures}};
+  std::ofstream out(file);
+  out << json.dump(2) << '\n';
+  out.close();
+  if (!out) {
+    throw FileError(fmt::format("{}: the statistics could not be written", file.string()));
+  }
+}
+
+}  // namespace rt::cli

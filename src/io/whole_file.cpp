@@ -1,0 +1,111 @@
+#include "rt/io/whole_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "rt/scene/error.h"
+
+namespace rt::io {
+namespace {
+
+const char* what_to_try(int error) {
+  switch (error) {
+    case ENOSPC:
+    case EDQUOT:
+      return "free some space, or write elsewhere with --output";
+    case EFBIG:
+      return "raise the limit on file sizes (ulimit -f)";
+    case ENOENT:
+    case ENOTDIR:
+      return "create the folder first, or write elsewhere with --output";
+    case EACCES:
+    case EPERM:
+    case EROFS:
+      return "choose a folder that you may write to with --output";
+    case ENAMETOOLONG:
+      return "choose a shorter name with --output";
+    default:
+      return "choose another file with --output";
+  }
+}
+
+[[noreturn]] void fail(const std::filesystem::path& path, int error) {
+  throw FileError(fmt::format("cannot write {}: {}; {}", path.string(),
+                              std::generic_category().message(error), what_to_try(error)));
+}
+
+/// A file under a name of its own; closed and removed unless it was given its final name.
+class Temporary {
+ public:
+  explicit Temporary(const std::filesystem::path& target) : target_(target) {
+    static std::atomic<unsigned> counter{0};
+    do {  // an earlier process with the same number may have been killed and left its file
+      name_ = target.parent_path() /
+              fmt::format(".raytracer-{}-{}.tmp", ::getpid(), counter.fetch_add(1));
+      file_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    } while (file_ < 0 && errno == EEXIST);
+    if (file_ < 0) {
+      fail(target_, errno);
+    }
+  }
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+  ~Temporary() {
+    close();
+    if (!name_.empty()) {
+      ::unlink(name_.c_str());
+    }
+  }
+
+  void write(std::span<const unsigned char> bytes) const {
+    while (!bytes.empty()) {
+      const ssize_t written = ::write(file_, bytes.data(), bytes.size());
+      if (written < 0 && errno != EINTR) {
+        fail(target_, errno);
+      }
+      bytes = bytes.subspan(written > 0 ? static_cast<std::size_t>(written) : 0);
+    }
+  }
+
+  void commit() {
+    // Some file systems cannot sync (EINVAL); those that can report a full disk here.
+    if (::fsync(file_) != 0 && errno != EINVAL && errno != ENOTSUP) {
+      fail(target_, errno);
+    }
+    if (!close()) {
+      fail(target_, errno);
+    }
+    if (::rename(name_.c_str(), target_.c_str()) != 0) {
+      fail(target_, errno);
+    }
+    name_.clear();
+  }
+
+ private:
+  bool close() {
+    const int file = std::exchange(file_, -1);
+    return file < 0 || ::close(file) == 0 || errno == EINTR;
+  }
+
+  std::filesystem::path target_;
+  std::filesystem::path name_;
+  int file_ = -1;
+};
+
+}  // namespace
+
+void write_whole_file(const std::filesystem::path& path, std::span<const unsigned char> bytes) {
+  Temporary temporary(path);
+  temporary.write(bytes);
+  temporary.commit();
+}
+
+}  // namespace rt::io

@@ -1,0 +1,31 @@
+#pragma once
+/// Files that scripts name: found, and kept inside the folders that scripts may read.
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "call.h"
+
+namespace rt::lua {
+
+struct FoundFile {
+  std::filesystem::path real;
+  std::string shown;  ///< as in messages
+};
+
+/// The folder as messages show it, and where it really is.
+Folder folder(const std::filesystem::path& shown);
+
+/// The first regular file called `name` in one of `folders`. Throws SceneError when the name leads
+/// out of them, be it by "..", an absolute path or a symbolic link; FileError when there is none.
+FoundFile find_file(const Call& call, const std::string& name, std::span<const Folder> folders);
+
+/// The bytes of a file. Throws FileError.
+std::string read_file(const std::filesystem::path& path, const std::string& shown);
+
+/// Compiles Lua source text and leaves the function on the stack; a first line that starts with #
+/// is skipped. Returns a status as lua_load does, with the message on the stack. Bytecode is
+/// refused.
+int load_text(lua_State* L, std::string source, const std::string& shown);
+
+}  // namespace rt::lua

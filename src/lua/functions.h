@@ -1,0 +1,38 @@
+#pragma once
+/// The functions that bindings.cpp declares to scripts: each reads its arguments, makes a plain
+/// value of rt/scene, and returns how many results it left on the stack.
+
+namespace rt::lua {
+
+class Call;
+
+// nodes.cpp
+int make_node(Call& call);
+int make_joint(Call& call);
+int make_sphere(Call& call);
+int make_cube(Call& call);
+int make_plane(Call& call);
+int make_cylinder(Call& call);
+int make_torus(Call& call);
+int make_blob(Call& call);
+int make_nh_sphere(Call& call);
+int make_nh_box(Call& call);
+
+// methods.cpp
+int node_add_child(Call& call);
+int node_set_material(Call& call);
+int node_translate(Call& call);
+int node_rotate(Call& call);
+int node_scale(Call& call);
+
+// meshes.cpp, materials.cpp, lights.cpp, render.cpp
+int make_mesh(Call& call);
+int make_material(Call& call);
+int make_light(Call& call);
+int render(Call& call);
+
+// modules.cpp
+int require_module(Call& call);
+int run_file(Call& call);
+
+}  // namespace rt::lua

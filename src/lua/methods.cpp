@@ -1,0 +1,60 @@
+/// The methods of nodes.
+#include <cctype>
+
+#include "call.h"
+#include "functions.h"
+
+namespace rt::lua {
+namespace {
+
+/// Three numbers, or one table of three.
+Vec3 vector_argument(Call& call) {
+  if (call.argument(1).type() == LUA_TTABLE) {
+    call.takes_at_most(1);
+    return call.argument(1).triple();
+  }
+  return {call.argument(1, "x").number(), call.argument(2, "y").number(),
+          call.argument(3, "z").number()};
+}
+
+int axis_argument(const Value& value) {
+  constexpr std::string_view expected = "an axis 'x', 'y' or 'z'";
+  const std::string text = value.text(expected);
+  const int axis = text.size() == 1 ? std::tolower(static_cast<unsigned char>(text[0])) - 'x' : -1;
+  if (axis < 0 || axis > 2) {
+    value.fail(expected);
+  }
+  return axis;
+}
+
+}  // namespace
+
+int node_add_child(Call& call) {
+  rt::add_child(*call.self(), call.argument(1, "child").object<Node>());
+  return call.return_self();
+}
+
+int node_set_material(Call& call) {
+  call.self()->material = call.argument(1).object<const Material>();
+  return call.return_self();
+}
+
+int node_translate(Call& call) {
+  rt::translate(*call.self(), vector_argument(call));
+  return call.return_self();
+}
+
+int node_rotate(Call& call) {
+  const int axis = axis_argument(call.argument(1, "axis"));
+  rt::rotate(*call.self(), axis, call.argument(2, "degrees").number());
+  return call.return_self();
+}
+
+int node_scale(Call& call) {
+  const bool uniform = call.argument(1).type() == LUA_TNUMBER && !call.argument(2).given() &&
+                       !call.argument(3).given();
+  rt::scale(*call.self(), uniform ? Vec3(call.argument(1).number()) : vector_argument(call));
+  return call.return_self();
+}
+
+}  // namespace rt::lua

@@ -1,0 +1,142 @@
+#include "rt/math/filter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "rt/math/warp.h"
+
+namespace rt {
+namespace {
+
+constexpr double sigma = 0.5;
+constexpr double gaussian_radius = 1.5;
+constexpr double harris_radius = 1.5;
+/// Harris, table I: minimum 4-term window, -92 dB.
+constexpr double harris[] = {0.35875, 0.48829, 0.14128, 0.01168};
+
+double gaussian_mass() {
+  return -std::expm1(-gaussian_radius * gaussian_radius / (2.0 * sigma * sigma));
+}
+
+// The inverse of the tent's cumulative mass (1+x)^2/2 on the left, mirrored on the right.
+double tent_offset(double u) {
+  return u < 0.5 ? std::sqrt(2.0 * u) - 1.0 : 1.0 - std::sqrt(2.0 * (1.0 - u));
+}
+
+// The mass within r is 1 - exp(-r^2 / 2 sigma^2), uniform for a random point, and r^2 of a uniform
+// disc point is uniform too: map radius to radius, keep the angle.
+Vec2 gaussian_offset(const Vec2& u) {
+  const Vec2 d = to_disc(u);
+  const double r2 = glm::dot(d, d);
+  if (r2 == 0.0) {
+    return d;
+  }
+  return d * (sigma * std::sqrt(-2.0 * std::log1p(-r2 * gaussian_mass()) / r2));
+}
+
+double harris_density(double x) {
+  const double phase = pi * x / harris_radius;
+  const double sum = harris[0] + harris[1] * std::cos(phase) + harris[2] * std::cos(2.0 * phase) +
+                     harris[3] * std::cos(3.0 * phase);
+  return sum / (2.0 * harris_radius * harris[0]);
+}
+
+/// The mass between the centre and x.
+double harris_mass(double x) {
+  const double phase = pi * x / harris_radius;
+  const double sum = harris[0] * phase + harris[1] * std::sin(phase) +
+                     harris[2] / 2.0 * std::sin(2.0 * phase) +
+                     harris[3] / 3.0 * std::sin(3.0 * phase);
+  return sum / (2.0 * pi * harris[0]);
+}
+
+/// Where harris_mass(x) = mass, between lo and hi: Newton's steps, bisection where one would leave
+/// the bracket, until the bracket or the step is at the rounding of x.
+double harris_quantile(double mass, double lo, double hi) {
+  double x = 0.5 * (lo + hi);
+  for (;;) {
+    const double excess = harris_mass(x) - mass;
+    (excess > 0.0 ? hi : lo) = x;
+    double next = x - excess / harris_density(x);
+    if (!(next > lo && next < hi)) {
+      next = 0.5 * (lo + hi);
+    }
+    if (std::abs(next - x) <= 0x1p-40 * harris_radius || next <= lo || next >= hi) {
+      return next;  // 1e-12 pixels: Newton's next step would be its square
+    }
+    x = next;
+  }
+}
+
+/// Quantiles of the right half, at even masses. They bracket the answer, so two or three steps do.
+constexpr int harris_nodes = 256;
+std::array<double, harris_nodes + 1> harris_table() {
+  std::array<double, harris_nodes + 1> table{};
+  for (std::size_t i = 1; i < harris_nodes; ++i) {
+    table[i] = harris_quantile(0.5 * static_cast<double>(i) / harris_nodes, 0.0, harris_radius);
+  }
+  table[harris_nodes] = harris_radius;
+  return table;
+}
+
+double harris_offset(double u) {
+  static const std::array<double, harris_nodes + 1> table = harris_table();
+  const double mass = std::abs(u - 0.5);
+  const auto node =
+      std::min(static_cast<std::size_t>(2.0 * harris_nodes * mass), std::size_t{harris_nodes - 1});
+  return std::copysign(harris_quantile(mass, table[node], table[node + 1]), u - 0.5);
+}
+
+}  // namespace
+
+Vec2 filter_offset(Filter filter, const Vec2& u) {
+  switch (filter) {
+    case Filter::box:
+      return u - 0.5;
+    case Filter::tent:
+      return {tent_offset(u.x), tent_offset(u.y)};
+    case Filter::gaussian:
+      return gaussian_offset(u);
+    case Filter::blackman_harris:
+      break;
+  }
+  return {harris_offset(u.x), harris_offset(u.y)};
+}
+
+double filter_density(Filter filter, const Vec2& offset) {
+  const double r2 = glm::dot(offset, offset);
+  if (std::max(std::abs(offset.x), std::abs(offset.y)) > filter_radius(filter)) {
+    return 0.0;
+  }
+  switch (filter) {
+    case Filter::box:
+      return 1.0;
+    case Filter::tent:
+      return (1.0 - std::abs(offset.x)) * (1.0 - std::abs(offset.y));
+    case Filter::gaussian:
+      return r2 > gaussian_radius * gaussian_radius
+                 ? 0.0
+                 : std::exp(-r2 / (2.0 * sigma * sigma)) /
+                       (2.0 * pi * sigma * sigma * gaussian_mass());
+    case Filter::blackman_harris:
+      break;
+  }
+  return harris_density(offset.x) * harris_density(offset.y);
+}
+
+double filter_radius(Filter filter) {
+  switch (filter) {
+    case Filter::box:
+      return 0.5;
+    case Filter::tent:
+      return 1.0;
+    case Filter::gaussian:
+      return gaussian_radius;
+    case Filter::blackman_harris:
+      break;
+  }
+  return harris_radius;
+}
+
+}  // namespace rt

@@ -1,0 +1,42 @@
+#include "rt/scene/camera.h"
+
+#include <fmt/format.h>
+
+#include "rt/math/rounding.h"
+#include "rt/scene/error.h"
+
+namespace rt {
+namespace {
+
+std::string text(const Vec3& v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); }
+
+}  // namespace
+
+void check(const Camera& camera) {
+  if (!all_finite(camera.eye) || !all_finite(camera.view) || !all_finite(camera.up)) {
+    throw SceneError(fmt::format("camera: expected finite numbers, got eye {}, view {}, up {}",
+                                 text(camera.eye), text(camera.view), text(camera.up)));
+  }
+  const double view_size = max_abs(camera.view);
+  const double up_size = max_abs(camera.up);
+  if (view_size == 0.0) {
+    throw SceneError("camera: the view direction is (0, 0, 0); give the direction to look in");
+  }
+  if (up_size == 0.0) {
+    throw SceneError("camera: the up vector is (0, 0, 0); (0, 1, 0) is the usual one");
+  }
+  // Scaled first, so that neither tiny nor huge vectors under- or overflow. Below the rounding
+  // error of the cross product the two are parallel as far as their numbers can tell.
+  const Vec3 right = glm::cross(camera.view / view_size, camera.up / up_size);
+  if (max_abs(right) <= gamma(4)) {
+    throw SceneError(
+        fmt::format("camera: the up vector {} is parallel to the view direction {}; choose another",
+                    text(camera.up), text(camera.view)));
+  }
+  if (!(camera.fov > 0.0 && camera.fov < 180.0)) {
+    throw SceneError(fmt::format(
+        "camera: expected a vertical field of view between 0 and 180 degrees, got {}", camera.fov));
+  }
+}
+
+}  // namespace rt

@@ -1,0 +1,104 @@
+/// What scripts can reach, and what they can break.
+#include "script_run.h"
+
+namespace rt::lua {
+namespace {
+
+using Sandbox = ScriptTest;
+
+TEST_F(Sandbox, DangerousFunctionsAreAbsent) {
+  run(R"(
+    assert(io == nil and debug == nil and package == nil and loadfile == nil)
+    assert(string.dump == nil and ("x").dump == nil)
+    for name in pairs(os) do
+      assert(name == 'time' or name == 'clock' or name == 'date' or name == 'difftime', name)
+    end
+    assert(math.sqrt(4) == 2 and #table.pack(1, 2) == 2 and utf8.char(65) == 'A')
+    assert(not pcall(require, 'io') and not pcall(require, 'os') and not pcall(require, 'debug'))
+    assert(coroutine.wrap(function() return 5 end)() == 5 and type(os.time()) == 'number'))");
+}
+
+TEST_F(Sandbox, LoadTakesTextOnly) {
+  run(R"(
+    assert(load('return 1 + 1')() == 2)
+    assert(load('return x', 'c', 't', {x = 5})() == 5)
+    assert(load('return x', 'c', 'bt', {x = 5})() == 5)
+    assert(load('return _G ~= nil')())
+    local parts = {'return ', '7'}
+    assert(load(function() return table.remove(parts, 1) end)() == 7)
+    local f, text = load('return', 'c')
+    assert(f)
+    f, text = load('x = = 1')
+    assert(f == nil and text:find('unexpected symbol'))
+    for _, mode in ipairs{'b', 'bt', 't'} do
+      f, text = load('\27Lua', 'c', mode)
+      assert(f == nil and text:find('binary chunk'), text)
+    end
+    f, text = load('\27Lua')
+    assert(f == nil and text:find('binary chunk'), text))");
+}
+
+TEST_F(Sandbox, ABinaryScriptIsRefused) { expect_error("\x1bLua", "", {"bytecode"}); }
+
+TEST_F(Sandbox, ScriptsMayOverwriteGlobals) {
+  run(R"(
+    local g = gr
+    table, math, string, type, tostring, error, pcall, select, pairs, ipairs, next, setmetatable,
+      getmetatable, rawget, rawequal, utf8, coroutine, os, load, _G, gr = {}, 1
+    local root = g.node('root'):set_material(g.material{kd = {1, 0, 0}})
+    root:add_child(g.sphere('s'):translate(1, 2, 3):rotate('X', 20):scale(2, 2, 2))
+    root:add_child(g.mesh('m', {{0,0,0}, {1,0,0}, {0,1,0}}, {{0, 1, 2}}))
+    local l = g.light{position = {0, 9, 0}, colour = {1, 1, 1}}
+    g.render(root, 'a.png', 4, 3, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {0,0,0}, {l}, {max_depth = 2}))");
+  ASSERT_EQ(jobs_.size(), 1u);
+  EXPECT_EQ(jobs_[0].instances.size(), 2u);
+  EXPECT_EQ(jobs_[0].options.max_depth, 2);
+}
+
+TEST_F(Sandbox, ErrorsStillReadWellWhenGlobalsAreGone) {
+  expect_error(
+      "tostring, string, table, error, type = nil\ngr.sphere({1, 2})",
+      "scene.lua:2: gr.sphere: expected a name (string) as argument 1, got a table with 2 items");
+}
+
+TEST_F(Sandbox, TablesWithMetamethodsAreReadRaw) {
+  expect_error(
+      "local t = setmetatable({}, {__index = function() error('called') end})\n"
+      "gr.nh_sphere('s', t, 1)",
+      "scene.lua:2: gr.nh_sphere: ", {"item 1 is nil"});
+}
+
+TEST_F(Sandbox, MemoryIsLimited) {
+  limits_.memory = std::size_t{8} << 20;
+  for (const std::string text :
+       {"local s = string.rep('x', 1e9)", "local t = {} while true do t[#t + 1] = {} end",
+        "local s = 'x' while true do s = s .. s end",
+        "local ok, text = pcall(string.rep, 'x', 1e9)\nerror(text)"}) {
+    expect_error(text, "scene.lua: the script needs more memory than its limit of 8 MB", {},
+                 ExitCode::limit);
+  }
+  run("assert(not pcall(string.rep, 'x', 1e9)) local t = {} for i = 1, 1000 do t[i] = {} end");
+  limits_.memory = 5000;
+  expect_error("x = 1", "scene.lua: the script needs more memory", {}, ExitCode::limit);
+  limits_.memory = 10;
+  EXPECT_EQ(failure("x = 1").code, ExitCode::limit);
+}
+
+TEST_F(Sandbox, ArgumentsReachTheScript) {
+  write("scene.lua",
+        "assert(#arg == 2 and arg[1] == 'one' and arg[2] == 'two')\n"
+        "assert(select('#', ...) == 2 and ... == 'one')\n"
+        "assert(arg[0]:match('[^/]+$') == 'scene.lua')");
+  run_script(script(), {"one", "two"}, host_);
+}
+
+TEST_F(Sandbox, FinalisersCannotBeCalledByScripts) {
+  run(R"(
+    local n = gr.node('n')
+    assert(not pcall(function() return n.__gc end))
+    n = nil
+    collectgarbage() collectgarbage())");
+}
+
+}  // namespace
+}  // namespace rt::lua
