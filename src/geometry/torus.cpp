@@ -19,6 +19,7 @@ struct Quartic {
 
   double operator()(double s) const { return ((s * s + c2) * s + c1) * s + c0; }
   double slope(double s) const { return (4 * s * s + 2 * c2) * s + c1; }
+  double curvature(double s) const { return 12 * s * s + 2 * c2; }
 };
 
 Quartic quartic_of(const Torus& torus, const Vec3& o, const Vec3& d) {
@@ -37,6 +38,7 @@ struct Cubic {
 
   double operator()(double s) const { return ((s + c2) * s + c1) * s + c0; }
   double slope(double s) const { return (3 * s + 2 * c2) * s + c1; }
+  double curvature(double s) const { return 6 * s + 2 * c2; }
 };
 
 Cubic cubic_of(const Torus& torus, const Vec3& o, const Vec3& d) {
@@ -59,9 +61,10 @@ Cubic cubic_of(const Torus& torus, const Vec3& o, const Vec3& d) {
 /// all terms never comes near all its bounds at once.
 constexpr double polynomial_noise = 64 * 2 * unit_roundoff;
 
-/// Newton stops at steps below this part of the size; the finish on the geometric form is of third
-/// order, so one step from here is exact to rounding.
-constexpr double coarse_step = 0x1p-18;
+/// The polynomial's iteration stops at steps below this part of the tube's radius: what it leaves
+/// is then of the order of the step's square, and the finish on the geometric form, of third order
+/// over distances below that radius, takes it to rounding in one step.
+constexpr double coarse_step = 0x1p-8;
 
 double size_of(const Torus& torus) { return torus.major_radius + torus.minor_radius; }
 
@@ -87,9 +90,10 @@ std::optional<double> next_crossing(const TorusLine& line, Leaving side) {
       continue;
     }
     const bool close = piece.end <= near;
-    const double noise = close ? 0 : polynomial_noise * size * size * size;
-    const double resolution = close ? 0 : coarse_step * size;
-    std::optional<double> s = first_crossing(cubic, piece, sign, noise, resolution);
+    const Accuracy accuracy =
+        close ? Accuracy{0, 0}
+              : Accuracy{polynomial_noise * size * size * size, coarse_step * torus.minor_radius};
+    std::optional<double> s = first_crossing(cubic, piece, sign, accuracy);
     if (s && !close) {
       s = finish_root(line, *s, sign, piece.begin);
     }
@@ -161,12 +165,13 @@ std::optional<double> first_root(const TorusLine& line, const Chord& chord, doub
   const double right = std::clamp(turn, chord.t_in, chord.t_out);
   const std::array<Piece, 3> pieces{Piece{chord.t_in, left, true}, Piece{left, right, false},
                                     Piece{right, chord.t_out, true}};
-  const double noise = polynomial_noise * size * size * size * size;
+  const Accuracy accuracy{polynomial_noise * size * size * size * size,
+                          coarse_step * line.torus.minor_radius};
   for (const Piece& piece : pieces) {
     if (!(piece.begin < piece.end)) {
       continue;
     }
-    std::optional<double> s = first_crossing(quartic, piece, sign, noise, coarse_step * size);
+    std::optional<double> s = first_crossing(quartic, piece, sign, accuracy);
     if (s) {
       s = finish_root(line, *s, sign, chord.t_in);
     }
@@ -189,7 +194,7 @@ OptionalHit intersect(const Torus& shape, const Ray& ray, double t_max, const Ra
   }
   const Recentred line = recentred(ray.origin, ray.direction, direction_squared);
   const double length = std::sqrt(direction_squared);
-  const Vec3 d = ray.direction / length;
+  const Vec3 d = ray.direction * (1 / length);
   Chord chord = clip_to_bounds(shape, line.origin, d);
   const double begin = line.local_parameter(0) * length;
   if (!(begin <= chord.t_out && chord.t_in <= chord.t_out)) {

@@ -11,6 +11,7 @@ namespace {
 /// A factor along the line, with its first two derivatives, positive before the root.
 struct Jet {
   double value, slope, curvature;
+  double twist;  ///< bounds a sixth of the third derivative: R / rho^2
 
   double discriminant() const { return slope * slope - 2 * value * curvature; }
 };
@@ -20,14 +21,16 @@ Jet jet_at(const TorusLine& line, double s, double sheet, double sign) {
   const Vec3 p = line.at(s);
   const Vec3& d = line.direction;
   const double r = line.torus.minor_radius;
-  const double rho = std::sqrt(p.x * p.x + p.z * p.z);
+  const double square = p.x * p.x + p.z * p.z;
+  const double rho = std::sqrt(square);
   const double w = rho - sheet * line.torus.major_radius;
-  const double inverse = rho > 0 ? 1 / rho : 0;
+  const double inverse = square > 0 ? rho / square : 0;
   const double rho_slope = (p.x * d.x + p.z * d.z) * inverse;
   const double turn = (p.x * d.z - p.z * d.x) * inverse;
   const double scale = sign * sheet;
   return {scale * (w * w + (p.y - r) * (p.y + r)), scale * 2 * (w * rho_slope + p.y * d.y),
-          scale * 2 * (rho_slope * rho_slope + w * turn * turn * inverse + d.y * d.y)};
+          scale * 2 * (rho_slope * rho_slope + w * turn * turn * inverse + d.y * d.y),
+          line.torus.major_radius * inverse * inverse};
 }
 
 /// The jet's value in twice the digits: the quartic, of which only the other factor is rounded.
@@ -60,15 +63,20 @@ std::optional<double> finish_double_root(const TorusLine& line, double s, double
   return s - std::sqrt(-2 * value / jet.curvature);
 }
 
+double sheet_near(const TorusLine& line, double s) {
+  const Vec3 p = line.at(s);
+  return sheet_at(line.torus, std::sqrt(p.x * p.x + p.z * p.z), p.y);
+}
+
 }  // namespace
 
 /// Cauchy's iteration (the root of the osculating parabola, of third order), which converges on a
-/// double root as fast as on a simple one and tells when there is none.
+/// double root as fast as on a simple one and tells when there is none; Halley's, its cheaper like,
+/// where the root is clearly simple.
 std::optional<double> finish_root(const TorusLine& line, double s, double sign, double begin) {
   const double size = line.size();
   const double r = line.torus.minor_radius;
-  const Vec3 near = line.at(s);
-  const double sheet = sheet_at(line.torus, std::sqrt(near.x * near.x + near.z * near.z), near.y);
+  const double sheet = line.torus.minor_radius < line.torus.major_radius ? 1 : sheet_near(line, s);
   // A factor's rounding error: |w|, |y| and r are at most r at the surface, and each takes the
   // rounding of something of the torus' size a few times.
   const double noise = gamma(32) * size * r;
@@ -79,29 +87,41 @@ std::optional<double> finish_root(const TorusLine& line, double s, double sign, 
       return std::nullopt;  // starts beside the surface and goes away from it
     }
     const double discriminant = jet.discriminant();
-    const double to_vertex = -jet.slope / jet.curvature;
-    // What the parabola knows of its vertex' height, and how wrong it may be there.
-    const double height = -discriminant / (2 * jet.curvature);
-    const double doubt = std::abs(jet.curvature * to_vertex * to_vertex * to_vertex) / r;
-    if (jet.curvature > 0 && std::abs(height) <= noise && doubt <= noise) {
-      return finish_double_root(line, s, sheet, sign, begin);
-    }
-    if (!(discriminant >= 0)) {
+    if (discriminant <= 2 * noise * jet.curvature) {
+      // What the parabola knows of its vertex' height, and how wrong it may be there.
+      const double to_vertex = -jet.slope / jet.curvature;
+      const double height = -discriminant / (2 * jet.curvature);
+      const double doubt = 2 * jet.twist * std::abs(to_vertex * to_vertex * to_vertex);
+      if (std::abs(height) <= noise && doubt <= noise) {
+        return finish_double_root(line, s, sheet, sign, begin);
+      }
       if (height > doubt) {
         return std::nullopt;
       }
-      s += to_vertex;
-      continue;
+      if (discriminant < 0) {
+        s += to_vertex;
+        continue;
+      }
     }
-    const double root = std::sqrt(discriminant);
-    const double step =
-        jet.slope < 0 ? 2 * jet.value / (root - jet.slope) : -(jet.slope + root) / jet.curvature;
+    const double square = jet.slope * jet.slope;
+    const double bend = jet.value * jet.curvature;
+    double step;
+    double root = -jet.slope;  // about the slope at the root
+    if (jet.slope < 0 && 8 * std::abs(bend) < square) {
+      step = -jet.value * jet.slope / (square - 0.5 * bend);
+    } else {
+      root = std::sqrt(discriminant);
+      step =
+          jet.slope < 0 ? 2 * jet.value / (root - jet.slope) : -(jet.slope + root) / jet.curvature;
+    }
     s += step;
-    // What a step leaves is of the order of step^3 / reach^2, reach being the distance over which
-    // the parabola holds.
-    const double reach = std::min(r, root / std::abs(jet.curvature));
-    if (std::abs(step) <= 4 * unit_roundoff * size ||
-        std::abs(step) * step * step <= unit_roundoff * size * reach * reach) {
+    // What the step leaves: the third derivative's part, and in Halley's case the parabola's
+    // fourth-order part, both over the slope.
+    const double cube = std::abs(step) * step * step;
+    const double exact = unit_roundoff * size;
+    if (std::abs(step) <= 4 * exact ||
+        (cube * jet.twist <= exact * root &&
+         cube * jet.curvature * jet.curvature <= exact * root * root)) {
       return s;
     }
   }
