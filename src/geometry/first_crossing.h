@@ -22,16 +22,22 @@ struct Accuracy {
   double resolution;  ///< steps below this are left to the caller
 };
 
+/// The least curvature of f, times sign, between two points of a piece; zero if that is negative.
+template <class Polynomial>
+double least_curvature(const Polynomial& f, double a, double b, double sign) {
+  return std::max(0.0, std::min(sign * f.curvature(a), sign * f.curvature(b)));
+}
+
 /// Finds the first root of a convex piece on which f (times sign) begins positive: goes right as
-/// long as f falls. Newton's steps do while they converge well; else a step solves a parabola that
-/// touches f at s and, having the least curvature
-/// between s and twice Newton's step, lies below f up to there, beyond which neither has its first
-/// root: so no step passes a root, a parabola without a root proves that there is none, and
-/// near-double roots, on which Newton's steps only halve the distance, cost no more than others.
+/// long as f falls. Newton's steps do while they converge well. Otherwise a step solves a parabola
+/// that touches f at s and has the least curvature between s and twice Newton's step: it lies below
+/// f up to there, and has its first root, if any, before. So no step passes a root, a parabola
+/// without a root proves that there is none, and near-double roots, on which Newton's steps only
+/// halve the distance, cost little more than others.
 template <class Polynomial>
 std::optional<double> convex_crossing(const Polynomial& f, const Piece& piece, double sign,
                                       const Accuracy& accuracy) {
-  constexpr int most_steps = 80;  // Newton alone would need at most 53; three are the rule
+  constexpr int most_steps = 80;  // Newton alone would need at most 53; two or three are the rule
   double s = piece.begin;
   double previous = std::numeric_limits<double>::infinity();
   for (int i = 0; i < most_steps; ++i) {
@@ -47,24 +53,19 @@ std::optional<double> convex_crossing(const Polynomial& f, const Piece& piece, d
     if (!(s + newton < piece.end)) {
       return std::nullopt;  // f stays above its tangent
     }
-    const bool fast = value < 0.1 * previous;  // near a double root it would be a quarter
-    previous = value;
-    if (fast) {
-      s += newton;
-      if (newton <= std::max(accuracy.resolution, 2 * unit_roundoff * s)) {
-        return s;
+    double step = newton;
+    if (!(value < 0.1 * previous)) {  // near a double root Newton leaves a quarter
+      const double ahead = std::min(s + 2 * newton, piece.end);
+      const double curvature = least_curvature(f, s, ahead, sign);
+      const double discriminant = slope * slope - 2 * value * curvature;
+      if (discriminant < 0) {
+        const bool clear = 2 * (value - accuracy.noise) * curvature > slope * slope;
+        return clear ? std::nullopt : std::optional(s - slope / curvature);
       }
-      continue;
+      step = 2 * value / (std::sqrt(discriminant) - slope);
     }
-    const double ahead = std::min(s + 2 * newton, piece.end);
-    const double curvature =
-        std::max(0.0, std::min(sign * f.curvature(s), sign * f.curvature(ahead)));
-    const double discriminant = slope * slope - 2 * value * curvature;
-    if (discriminant < 0) {
-      const bool clear = 2 * (value - accuracy.noise) * curvature > slope * slope;
-      return clear ? std::nullopt : std::optional(s - slope / curvature);
-    }
-    s += 2 * value / (std::sqrt(discriminant) - slope);
+    previous = value;
+    s += step;
     if (!(s < piece.end)) {
       return std::nullopt;
     }

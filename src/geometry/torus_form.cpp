@@ -11,7 +11,9 @@ namespace {
 /// A factor along the line, with its first two derivatives, positive before the root.
 struct Jet {
   double value, slope, curvature;
-  double twist;  ///< bounds a sixth of the third derivative: R / rho^2
+  /// Bounds a sixth of the third derivative. Only -2 R rho has one: rho'' is turn^2 / rho, so that
+  /// |rho'''| <= 3 / rho^2.
+  double twist;
 
   double discriminant() const { return slope * slope - 2 * value * curvature; }
 };
@@ -68,19 +70,51 @@ double sheet_near(const TorusLine& line, double s) {
   return sheet_at(line.torus, std::sqrt(p.x * p.x + p.z * p.z), p.y);
 }
 
+/// The lowest point of the jet's parabola, and how wrong the parabola may be there.
+struct Vertex {
+  double step, height, doubt;
+};
+
+Vertex vertex_of(const Jet& jet, double discriminant) {
+  const double step = -jet.slope / jet.curvature;
+  return {step, -discriminant / (2 * jet.curvature), 2 * jet.twist * std::abs(step * step * step)};
+}
+
+/// A step to the parabola's root (Cauchy's iteration, of third order, which converges on a double
+/// root as fast as on a simple one), or where the root is clearly simple Halley's, its cheaper
+/// like. `settled`: what it leaves is below `exact`. That is the third derivative's part, and in
+/// Halley's case the parabola's higher-order part, both over the slope at the root.
+struct Step {
+  double length;
+  bool settled;
+};
+
+Step step_to_root(const Jet& jet, double discriminant, double exact) {
+  const double square = jet.slope * jet.slope;
+  const double bend = jet.value * jet.curvature;
+  double step;
+  double root = -jet.slope;
+  if (jet.slope < 0 && 8 * std::abs(bend) < square) {
+    step = -jet.value * jet.slope / (square - 0.5 * bend);
+  } else {
+    root = std::sqrt(discriminant);
+    step = jet.slope < 0 ? 2 * jet.value / (root - jet.slope) : -(jet.slope + root) / jet.curvature;
+  }
+  const double cube = std::abs(step) * step * step;
+  return {step, std::abs(step) <= 4 * exact ||
+                    (cube * jet.twist <= exact * root &&
+                     cube * jet.curvature * jet.curvature <= exact * root * root)};
+}
+
 }  // namespace
 
-/// Cauchy's iteration (the root of the osculating parabola, of third order), which converges on a
-/// double root as fast as on a simple one and tells when there is none; Halley's, its cheaper like,
-/// where the root is clearly simple.
 std::optional<double> finish_root(const TorusLine& line, double s, double sign, double begin) {
-  const double size = line.size();
-  const double r = line.torus.minor_radius;
-  const double sheet = line.torus.minor_radius < line.torus.major_radius ? 1 : sheet_near(line, s);
+  const Torus& torus = line.torus;
+  const double sheet = torus.minor_radius < torus.major_radius ? 1 : sheet_near(line, s);
   // A factor's rounding error: |w|, |y| and r are at most r at the surface, and each takes the
   // rounding of something of the torus' size a few times.
-  const double noise = gamma(32) * size * r;
-  constexpr int most_steps = 12;  // two are the rule
+  const double noise = gamma(32) * line.size() * torus.minor_radius;
+  constexpr int most_steps = 12;  // one or two are the rule
   for (int i = 0; i < most_steps; ++i) {
     const Jet jet = jet_at(line, s, sheet, sign);
     if (s <= begin && jet.value > 0 && jet.slope >= 0) {
@@ -88,40 +122,21 @@ std::optional<double> finish_root(const TorusLine& line, double s, double sign, 
     }
     const double discriminant = jet.discriminant();
     if (discriminant <= 2 * noise * jet.curvature) {
-      // What the parabola knows of its vertex' height, and how wrong it may be there.
-      const double to_vertex = -jet.slope / jet.curvature;
-      const double height = -discriminant / (2 * jet.curvature);
-      const double doubt = 2 * jet.twist * std::abs(to_vertex * to_vertex * to_vertex);
-      if (std::abs(height) <= noise && doubt <= noise) {
+      const Vertex vertex = vertex_of(jet, discriminant);
+      if (std::abs(vertex.height) <= noise && vertex.doubt <= noise) {
         return finish_double_root(line, s, sheet, sign, begin);
       }
-      if (height > doubt) {
+      if (vertex.height > vertex.doubt) {
         return std::nullopt;
       }
       if (discriminant < 0) {
-        s += to_vertex;
+        s += vertex.step;
         continue;
       }
     }
-    const double square = jet.slope * jet.slope;
-    const double bend = jet.value * jet.curvature;
-    double step;
-    double root = -jet.slope;  // about the slope at the root
-    if (jet.slope < 0 && 8 * std::abs(bend) < square) {
-      step = -jet.value * jet.slope / (square - 0.5 * bend);
-    } else {
-      root = std::sqrt(discriminant);
-      step =
-          jet.slope < 0 ? 2 * jet.value / (root - jet.slope) : -(jet.slope + root) / jet.curvature;
-    }
-    s += step;
-    // What the step leaves: the third derivative's part, and in Halley's case the parabola's
-    // fourth-order part, both over the slope.
-    const double cube = std::abs(step) * step * step;
-    const double exact = unit_roundoff * size;
-    if (std::abs(step) <= 4 * exact ||
-        (cube * jet.twist <= exact * root &&
-         cube * jet.curvature * jet.curvature <= exact * root * root)) {
+    const Step step = step_to_root(jet, discriminant, unit_roundoff * line.size());
+    s += step.length;
+    if (step.settled) {
       return s;
     }
   }
