@@ -61,10 +61,15 @@ Cubic cubic_of(const Torus& torus, const Vec3& o, const Vec3& d) {
 /// all terms never comes near all its bounds at once.
 constexpr double polynomial_noise = 64 * 2 * unit_roundoff;
 
-/// The polynomial's iteration stops at steps below this part of the tube's radius: what it leaves
-/// is then of the order of the step's square, and the finish on the geometric form, of third order
-/// over distances below that radius, takes it to rounding in one step.
-constexpr double coarse_step = 0x1p-8;
+/// The polynomial's iteration stops at steps below this. What it leaves is of the order of the
+/// step's square, and the finish on the geometric form, of third order over distances below the
+/// tube's radius, takes that to rounding in one step. Where the hole is narrow or closed the torus
+/// has features much smaller than that radius (a spindle's tips, where two sheets meet): there the
+/// polynomial is followed down to rounding, so that the finish cannot stray to another root.
+double coarse_step(const Torus& torus) {
+  const double r = torus.minor_radius;
+  return (r <= 0.5 * torus.major_radius ? 0x1p-8 : 0x1p-26) * r;
+}
 
 double size_of(const Torus& torus) { return torus.major_radius + torus.minor_radius; }
 
@@ -92,7 +97,7 @@ std::optional<double> next_crossing(const TorusLine& line, Leaving side) {
     const bool close = piece.end <= near;
     const Accuracy accuracy =
         close ? Accuracy{0, 0}
-              : Accuracy{polynomial_noise * size * size * size, coarse_step * torus.minor_radius};
+              : Accuracy{polynomial_noise * size * size * size, coarse_step(torus)};
     std::optional<double> s = first_crossing(cubic, piece, sign, accuracy);
     if (s && !close) {
       s = finish_root(line, *s, sign, piece.begin);
@@ -165,8 +170,7 @@ std::optional<double> first_root(const TorusLine& line, const Chord& chord, doub
   const double right = std::clamp(turn, chord.t_in, chord.t_out);
   const std::array<Piece, 3> pieces{Piece{chord.t_in, left, true}, Piece{left, right, false},
                                     Piece{right, chord.t_out, true}};
-  const Accuracy accuracy{polynomial_noise * size * size * size * size,
-                          coarse_step * line.torus.minor_radius};
+  const Accuracy accuracy{polynomial_noise * size * size * size * size, coarse_step(line.torus)};
   for (const Piece& piece : pieces) {
     if (!(piece.begin < piece.end)) {
       continue;

@@ -77,7 +77,14 @@ Shape shape_for(const Family& family, Random& random) {
       return Torus{1, random.power_of_ten(-5, -1)};
     }
     if (family.kind == Kind::spindle) {
-      return random.below(4) == 0 ? Torus{0.5, 0.5} : Torus{random.power_of_ten(-1, 0), 1};
+      switch (random.below(4)) {
+        case 0:
+          return Torus{0.5, 0.5};
+        case 1:
+          return Torus{1, random.uniform(0.3, 1)};
+        default:
+          return Torus{random.power_of_ten(-1, 0), 1};
+      }
     }
     return Torus{};
   }

@@ -43,7 +43,7 @@ enum class Kind {
   inside,       ///< from a point of the solid
   edge,         ///< passes an edge, rim or join at 1e-3 to 1e-13
   thin,         ///< torus: r / R = 1e-1 to 1e-5, half of the rays grazing
-  spindle,      ///< torus: r / R = 1 to 10, half of the rays grazing
+  spindle,      ///< torus: r / R = 0.3 to 10, 1 among them, half of the rays grazing
   non_uniform,  ///< carried from a world in which the shape is stretched by up to 1e6 : 1
 };
 
