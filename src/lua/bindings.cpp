@@ -57,6 +57,10 @@ constexpr std::array table{
             "{position =, colour =, falloff =, radius =, u =, v =, visible =}: light",
             "A light that dims as 1 / (c0 + c1 d + c2 d^2).",
             "gr.light({0, 10, 5}, {1, 1, 1}, {1, 0, 0})"},
+    Binding{"gr.checker", guarded<make_checker>, 3,
+            "(even: colour, odd: colour, size?: number): texture",
+            "A solid checker of cubes with edges of that size (1 unless given) in model space.",
+            "gr.checker({1, 1, 1}, {0, 0, 0}, 0.5)"},
     Binding{"gr.render", guarded<render>, 11,
             "(scene: node, file: string, width: number, height: number, eye: {x, y, z}, view: {x, "
             "y, z}, up: {x, y, z}, fov: number, ambient: colour, lights: {light, ...}, options?: "
@@ -71,6 +75,9 @@ constexpr std::array table{
     Binding{"node:set_material", guarded<node_set_material>, 1, "(material: material): node",
             "Gives the node, and those below it that have none, a material.",
             "node:set_material(material)"},
+    Binding{"node:set_texture", guarded<node_set_texture>, 1, "(texture: texture): node",
+            "Lets a texture stand for the material's kd.",
+            "node:set_texture(gr.checker({1, 1, 1}, {0, 0, 0}, 1))"},
     Binding{"node:translate", guarded<node_translate>, 3, "(x: number, y: number, z: number): node",
             "Moves the node.", "node:translate(1, 0, 0)"},
     Binding{"node:rotate", guarded<node_rotate>, 2,
@@ -115,7 +122,7 @@ int unknown_method(lua_State* L) {
       fmt::format("nodes have no method '{}'{}", key, suggestion(key, names_in("node:"))));
 }
 
-/// __index of materials and lights.
+/// __index of materials, lights and textures.
 template <class T>
 int no_method(lua_State* L) {
   throw SceneError(
@@ -123,8 +130,8 @@ int no_method(lua_State* L) {
 }
 
 int refuse_assignment(lua_State* L) {
-  throw SceneError(
-      fmt::format("cannot set '{}': nodes, materials and lights have no fields", key_text(L, 2)));
+  throw SceneError(fmt::format(
+      "cannot set '{}': nodes, materials, lights and textures have no fields", key_text(L, 2)));
 }
 
 int node_text(lua_State* L) {
@@ -198,6 +205,7 @@ void open_bindings(lua_State* L) {
   open_node_metatable(L);
   open_plain_metatable<const Material>(L);
   open_plain_metatable<const Light>(L);
+  open_plain_metatable<const Texture>(L);
 }
 
 }  // namespace rt::lua

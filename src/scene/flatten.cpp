@@ -15,19 +15,19 @@ class Flattener {
  public:
   Flattened take(const Node& root) {
     // An explicit stack: a chain of nodes is as deep as the script likes.
-    std::vector<Visit> open{{&root, Affine{}, nullptr, 1}};
+    std::vector<Visit> open{{&root, Affine{}, {}, 1}};
     while (!open.empty()) {
       const Visit visit = open.back();
       open.pop_back();
       const Node& node = *visit.node;
       check_depth(node, visit.depth);
       const Affine world_from_node = visit.world_from_parent * node.parent_from_node;
-      const auto& material = node.material ? node.material : visit.material;
+      const Paint paint = painted(node, visit.paint);
       if (node.shape) {
-        place(node, world_from_node, material);
+        place(node, world_from_node, paint);
       }
       for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
-        open.push_back({child->get(), world_from_node, material, visit.depth + 1});
+        open.push_back({child->get(), world_from_node, paint, visit.depth + 1});
       }
     }
     warn_of_missing_materials();
@@ -35,12 +35,26 @@ class Flattener {
   }
 
  private:
+  struct Paint {
+    std::shared_ptr<const Material> material;
+    std::shared_ptr<const Texture> texture;
+  };
+
   struct Visit {
     const Node* node;
     Affine world_from_parent;
-    std::shared_ptr<const Material> material;
+    Paint paint;
     std::size_t depth;
   };
+
+  /// A material set here comes with the texture set here, or none; else both are the parent's, but
+  /// for a texture set here.
+  static Paint painted(const Node& node, const Paint& inherited) {
+    if (node.material) {
+      return {node.material, node.texture};
+    }
+    return {inherited.material, node.texture ? node.texture : inherited.texture};
+  }
 
   static void check_depth(const Node& node, std::size_t depth) {
     if (depth > max_graph_depth) {
@@ -49,8 +63,7 @@ class Flattener {
     }
   }
 
-  void place(const Node& node, const Affine& world_from_model,
-             const std::shared_ptr<const Material>& material) {
+  void place(const Node& node, const Affine& world_from_model, const Paint& paint) {
     const auto model_from_world = inverse(world_from_model);
     if (!model_from_world) {
       throw SceneError(fmt::format(
@@ -67,7 +80,8 @@ class Flattener {
       shape = std::make_shared<const Shape>(*node.shape);
     }
     result_.instances.push_back({world_from_model, *model_from_world, shape,
-                                 material ? material : default_material(node), node.name});
+                                 paint.material ? paint.material : default_material(node),
+                                 paint.texture, node.name});
   }
 
   std::shared_ptr<const Material> default_material(const Node& node) {
