@@ -66,16 +66,18 @@ Rgb Tracer::radiance(const TraceRay& camera_ray, double y, const Sampler& sample
   sampler_ = &sampler;
   counts_ = &counts;
   ++counts.camera;
+  // From here on all directions have unit length.
   open_.push_back({camera_ray, Rgb(1.0), {}, 0});
+  open_.back().ray.direction *= 1.0 / glm::length(camera_ray.direction);
   while (!open_.empty()) {
-    const Path path = open_.back();
+    Path path = open_.back();
     open_.pop_back();
     follow(path);
   }
   return sum_;
 }
 
-void Tracer::follow(const Path& path) {
+void Tracer::follow(Path& path) {
   const auto hit = closest_hit(plan_, path.ray);
   if (!hit) {
     const Background& b = plan_.options.background;
@@ -84,27 +86,25 @@ void Tracer::follow(const Path& path) {
   }
   const ShadingPoint point = shading_point(plan_, path.ray, *hit);
   const PlannedMaterial& material = plan_.materials[plan_.instances[hit->instance].material];
-  const double length = glm::length(path.ray.direction);
-  const Vec3 direction = path.ray.direction / length;
+  const Vec3& direction = path.ray.direction;
   Media media{no_instance, no_instance};
   if (material.transmissive) {
     media = media_about(plan_, point, direction);
   } else if (plan_.absorbs) {
     media.before = medium_ahead(plan_, point, -direction);
   }
-  Path here = path;
   if (plan_.absorbs) {
-    here.throughput *= transmittance(plan_, media.before, hit->t * length);
+    path.throughput *= transmittance(plan_, media.before, hit->t);
   }
-  const bool deepest = here.depth >= plan_.options.max_depth;
-  const Scatter at{here, point, material, direction, media};
+  const bool deepest = path.depth >= plan_.options.max_depth;
+  const Scatter at{path, point, material, direction, media};
   if (material.transmissive && hides(plan_, media, hit->instance)) {
     if (!deepest) {
-      add(at, direction, here.throughput, false);
+      add(at, direction, path.throughput, false);
     }
     return;
   }
-  sum_ += here.throughput * surface(here, point, material, direction);
+  sum_ += path.throughput * surface(path, point, material, direction);
   if (!deepest) {
     scatter(at);
   }

@@ -8,8 +8,8 @@ namespace rt {
 
 /// The transmissive instance whose medium fills the space just ahead of `point` in `direction`, or
 /// no_instance for the open air. Of several solids that overlap there the smallest (by the volume
-/// of its box) counts: a bubble in glass is air, a ball in water is glass. A plane is the surface of
-/// the half-space below it, the largest solid of all.
+/// of its box) counts: a bubble in glass is air, a ball in water is glass. A plane is the surface
+/// of the half-space below it, the largest solid of all.
 std::uint32_t medium_ahead(const RenderPlan& plan, const ShadingPoint& point,
                            const Vec3& direction);
 
