@@ -12,7 +12,7 @@ namespace rt {
 namespace {
 
 // Up to so many boxes a list is faster than a hierarchy (bench/NOTES.md).
-constexpr std::size_t few = 48;
+constexpr std::size_t few = 96;
 
 enum class Candidates { one_by_one, list, tree };
 
@@ -20,7 +20,10 @@ Candidates candidates_for(const RenderOptions& options, std::size_t boxes) {
   if (!options.acceleration || options.accel == AccelChoice::none || boxes == 0) {
     return Candidates::one_by_one;
   }
-  return options.accel == AccelChoice::bvh || boxes > few ? Candidates::tree : Candidates::list;
+  if (options.accel == AccelChoice::automatic) {
+    return boxes > few ? Candidates::tree : Candidates::list;
+  }
+  return options.accel == AccelChoice::bvh ? Candidates::tree : Candidates::list;
 }
 
 class Planner {

@@ -15,7 +15,7 @@ namespace rt {
 /// How 8-bit pictures encode linear values.
 enum class Encoding { srgb, raw };
 /// How the ray's candidates are found.
-enum class AccelChoice { automatic, none, bvh };
+enum class AccelChoice { automatic, none, list, bvh };
 
 /// A constant or a vertical gradient over the picture's height.
 struct Background {
