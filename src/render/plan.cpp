@@ -45,6 +45,9 @@ class Planner {
     for (const Light& light : job_.lights) {
       place(light);
     }
+    if (plan_.absorbs) {
+      let_clear_glass_dim();
+    }
     find_media(plan_, all_boxes_);
     switch (candidates_for(plan_.options, boxes_.size())) {
       case Candidates::tree:
@@ -162,7 +165,8 @@ class Planner {
     to.transmissive = to.opacity < 1.0;
     const double brightest = max_abs(to.ks) * brightest_light_;
     if (to.shininess > 0.0 && brightest > 0.0) {
-      to.least_r_dot_v = std::pow(negligible_light(options) / brightest, 1.0 / to.shininess);
+      to.least_r_dot_v =
+          std::pow(negligible_light(options, job_.lights.size()) / brightest, 1.0 / to.shininess);
     }
     const bool mirrors = to.transmissive || to.reflectivity != Rgb(0.0);
     if (mirrors && to.glossiness > 0.0) {
@@ -171,6 +175,15 @@ class Planner {
     }
     plan_.absorbs |= to.transmissive && to.absorption != Rgb(0.0);
     return to;
+  }
+
+  /// Where some medium absorbs, clear glass displaces it: shadow rays have to meet its surface.
+  void let_clear_glass_dim() {
+    for (PlannedInstance& instance : plan_.instances) {
+      if (plan_.materials[instance.material].transmissive) {
+        instance.shadow = Shadow::dims;
+      }
+    }
   }
 
   static Shadow shadow_of(const PlannedMaterial& material) {
