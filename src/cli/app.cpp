@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <ctime>
 #include <fstream>
 #include <iterator>
 #include <thread>
@@ -34,8 +33,6 @@ class Stopwatch {
  private:
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
-
-double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// FNV-1a of the script's text: names the scene in a picture's metadata.
 std::string hash_of(const std::filesystem::path& file) {
@@ -112,9 +109,8 @@ class Session {
 
     const RenderPlan plan = make_plan(job);
     report.phases.plan = watch_.lap();
-    const double cpu = processor_seconds();
     RenderResult result = traced(plan, report);
-    report.phases.trace_cpu = processor_seconds() - cpu;
+    report.phases.trace_cpu = result.statistics.cpu_seconds;
     report.phases.trace = watch_.lap();
     report.statistics = result.statistics;
     io::write_image(path, {result.film.width, result.film.height, std::move(result.film.pixels)},

@@ -40,6 +40,7 @@ Json picture(const PictureReport& r) {
        {{"camera", rays.camera},
         {"shadow", rays.shadow},
         {"reflection", rays.reflection},
+        {"refraction", rays.refraction},
         {"total", rays.total()},
         {"per_second", static_cast<double>(rays.total()) / seconds}}},
       {"samples", r.statistics.samples},

@@ -55,8 +55,9 @@ std::uint8_t encode8(float linear, Encoding encoding) {
   if (linear >= 1.0F) {
     return 255;
   }
-  return encoding == Encoding::srgb ? srgb(linear)
-                                    : static_cast<std::uint8_t>(255.0 * double{linear} + 0.5);
+  return encoding == Encoding::srgb
+             ? srgb(linear)
+             : static_cast<std::uint8_t>(std::lround(255.0 * double{linear}));
 }
 
 std::vector<std::uint8_t> encode8(const Image& image, Encoding encoding) {

@@ -38,6 +38,9 @@ std::string describe_userdata(lua_State* L, int index) {
   if (held<const Material>(L, index)) {
     return "a material";
   }
+  if (held<const Texture>(L, index)) {
+    return "a texture";
+  }
   return held<const Light>(L, index) ? "a light" : "a userdata";
 }
 

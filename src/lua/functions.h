@@ -13,6 +13,7 @@ int make_sphere(Call& call);
 int make_cube(Call& call);
 int make_plane(Call& call);
 int make_cylinder(Call& call);
+int make_cone(Call& call);
 int make_torus(Call& call);
 int make_blob(Call& call);
 int make_nh_sphere(Call& call);
@@ -21,13 +22,15 @@ int make_nh_box(Call& call);
 // methods.cpp
 int node_add_child(Call& call);
 int node_set_material(Call& call);
+int node_set_texture(Call& call);
 int node_translate(Call& call);
 int node_rotate(Call& call);
 int node_scale(Call& call);
 
-// meshes.cpp, materials.cpp, lights.cpp, render.cpp
+// meshes.cpp, materials.cpp, textures.cpp, lights.cpp, render.cpp
 int make_mesh(Call& call);
 int make_material(Call& call);
+int make_checker(Call& call);
 int make_light(Call& call);
 int render(Call& call);
 

@@ -20,6 +20,8 @@ template <>
 inline constexpr const char* handle_name<const Material> = "material";
 template <>
 inline constexpr const char* handle_name<const Light> = "light";
+template <>
+inline constexpr const char* handle_name<const Texture> = "texture";
 
 /// What the value at `index` holds; null when it is anything else.
 template <class T>

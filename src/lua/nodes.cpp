@@ -13,12 +13,16 @@ namespace {
 /// What a node takes: itself, the block that counts its shares, the allocator's own.
 constexpr std::size_t bytes_of_node = sizeof(ChargedNode) + 48;
 
-std::shared_ptr<Node> new_node(const Call& call) {
-  auto node = std::make_shared<ChargedNode>(call.run().memory);
-  node->name = call.argument(1).text("a name (string)");
-  node->where = location(call.L);
-  charge(call.L, node->charge, bytes_of_node + node->name.size());
+std::shared_ptr<Node> new_node(lua_State* L, std::string name) {
+  auto node = std::make_shared<ChargedNode>(context(L).memory);
+  node->name = std::move(name);
+  node->where = location(L);
+  charge(L, node->charge, bytes_of_node + node->name.size());
   return node;
+}
+
+std::shared_ptr<Node> new_node(const Call& call) {
+  return new_node(call.L, call.argument(1).text("a name (string)"));
 }
 
 /// All nodes of a shape without parameters share it.
@@ -56,6 +60,12 @@ int push_new_node(const Call& call, std::shared_ptr<const Shape> shape) {
   return 1;
 }
 
+int push_stand_in(lua_State* L) {
+  const bool named = lua_type(L, 1) == LUA_TSTRING;
+  push(L, new_node(L, named ? lua_tostring(L, 1) : "stand-in"));
+  return 1;
+}
+
 void charge_child(const Call& call, Node& parent) {
   if (parent.children.size() == parent.children.capacity()) {
     const std::size_t more = std::max<std::size_t>(1, parent.children.capacity());
@@ -83,6 +93,8 @@ int make_plane(Call& call) {
 }
 
 int make_cylinder(Call& call) { return push_plain<Cylinder>(call); }
+
+int make_cone(Call& call) { return push_plain<PointedCone>(call); }
 
 int make_torus(Call& call) {
   const Value second = call.argument(2, call.argument(3).given() ? "R" : "r");

@@ -14,6 +14,9 @@ struct ChargedNode : Node {
 /// Pushes a new node whose name is argument 1. Returns 1.
 int push_new_node(const Call& call, std::shared_ptr<const Shape> shape);
 
+/// A Lua function: a node without a shape that stands for what an unknown function would make.
+int push_stand_in(lua_State* L);
+
 /// Charges a node for one more child.
 void charge_child(const Call& call, Node& parent);
 

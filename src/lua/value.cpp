@@ -105,6 +105,7 @@ std::shared_ptr<T> Value::object() const {
 template std::shared_ptr<Node> Value::object() const;
 template std::shared_ptr<const Material> Value::object() const;
 template std::shared_ptr<const Light> Value::object() const;
+template std::shared_ptr<const Texture> Value::object() const;
 
 void Value::fail(std::string_view expected, std::string_view given) const {
   std::string place;

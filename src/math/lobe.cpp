@@ -91,11 +91,12 @@ double PowerCosineLobe::mass_above(double cos_theta) const {
   const double y = std::min(1.0, cos_theta * cos_theta);  // 1 - sin^2
   const double x = 1.0 - y;
   const double a = 0.5 * (exponent_ + 1.0);
-  const double power = std::exp(a * std::log1p(-y));  // sin^(e+1)
-  // 1 - M is at most half of sin^(e+1), the raw mass outside the circle that touches the horizon.
-  if (cos_theta >= 0.0 && power < unit_roundoff) {
+  // 1 - M is at most half of sin^(e+1), the raw mass outside the circle that touches the horizon,
+  // and sin^(e+1) = (1-y)^a <= exp(-a y). exp(-37) is below the unit roundoff.
+  if (a * y > 37.0) {
     return 1.0;
   }
+  const double power = std::exp(a * std::log1p(-y));
   const double front = power * std::sqrt(y) * beta_scale_;
   const double below = x < (a + 1.0) / (a + 2.5) ? front * beta_fraction(x, a, 0.5)
                                                  : 1.0 - front * 2.0 * a * beta_fraction(y, 0.5, a);

@@ -4,18 +4,20 @@
 
 namespace rt {
 
-Rgb render_pixel(const RenderPlan& plan, int x, int y, RenderStatistics& statistics) {
+Rgb render_pixel(Tracer& tracer, int x, int y, RenderStatistics& statistics) {
+  const RenderPlan& plan = tracer.plan();
   const RenderOptions& options = plan.options;
   const int count = options.antialiasing ? options.samples : 1;
   const Sampler sampler(options.seed, x, y, 0);
   Rgb sum(0.0);
   int good = 0;
   for (int i = 0; i < count; ++i) {
-    const Vec2 offset = count == 1 ? Vec2(0.5) : sampler.at(static_cast<std::uint32_t>(i)).pixel();
+    const Sampler sample = sampler.at(static_cast<std::uint32_t>(i));
+    const Vec2 offset = count == 1 ? Vec2(0.5) : sample.pixel();
     const double px = (x + offset.x) / options.width;
     const double py = (y + offset.y) / options.height;
     const TraceRay ray{Vec3(0.0), plan.camera.direction(px, py)};
-    const Rgb value = radiance(plan, ray, py, statistics.rays);
+    const Rgb value = tracer.radiance(ray, py, sample, statistics.rays);
     if (all_finite(value)) {
       sum += value;
       ++good;

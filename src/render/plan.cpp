@@ -4,19 +4,23 @@
 #include <numbers>
 #include <unordered_map>
 
+#include "media_plan.h"
+#include "rt/render/accel/box_list.h"
 #include "rt/render/accel/box_tree.h"
 
 namespace rt {
 namespace {
 
-// Below this many boxes, trying them one by one costs no more than walking a hierarchy.
-constexpr std::size_t few = 8;
+// Up to so many boxes a list is faster than a hierarchy (bench/NOTES.md).
+constexpr std::size_t few = 48;
 
-bool wants_tree(const RenderOptions& options, std::size_t boxes) {
+enum class Candidates { one_by_one, list, tree };
+
+Candidates candidates_for(const RenderOptions& options, std::size_t boxes) {
   if (!options.acceleration || options.accel == AccelChoice::none || boxes == 0) {
-    return false;
+    return Candidates::one_by_one;
   }
-  return options.accel == AccelChoice::bvh || boxes > few;
+  return options.accel == AccelChoice::bvh || boxes > few ? Candidates::tree : Candidates::list;
 }
 
 class Planner {
@@ -27,16 +31,27 @@ class Planner {
     plan_.options = job_.options;
     plan_.ambient = job_.ambient;
     plan_.camera = frame(job_.camera, job_.options);
-    plan_.lights = job_.lights;
-    for (Light& light : plan_.lights) {
-      light.position -= job_.camera.eye;
+    for (const Light& light : job_.lights) {
+      // Its colour over the least of the falloff; endless where nothing bounds that.
+      brightest_light_ = std::max(brightest_light_, max_abs(light.colour) / light.falloff.c0);
     }
-    plan_.instances.reserve(job_.instances.size());
+    plan_.instances.reserve(job_.instances.size() + job_.lights.size());
     for (const Instance& instance : job_.instances) {
       place(instance);
     }
-    if (wants_tree(plan_.options, boxes_.size())) {
-      plan_.tree = std::make_unique<BoxTree>(boxes_);
+    for (const Light& light : job_.lights) {
+      place(light);
+    }
+    find_media(plan_, all_boxes_);
+    switch (candidates_for(plan_.options, boxes_.size())) {
+      case Candidates::tree:
+        plan_.tree = std::make_unique<BoxTree>(boxes_);
+        break;
+      case Candidates::list:
+        plan_.list = std::make_unique<BoxList>(boxes_);
+        break;
+      case Candidates::one_by_one:
+        break;
     }
     return std::move(plan_);
   }
@@ -51,6 +66,42 @@ class Planner {
     return {forward, right * (half * aspect), up * -half};
   }
 
+  void place(Light light) {
+    if (!plan_.options.soft_shadows) {
+      light.radius = 0.0;
+      light.rectangle.reset();
+    }
+    const bool extended = light.radius > 0.0 || light.rectangle;
+    plan_.random |= extended;
+    if (extended && light.visible) {
+      place(shape_of(light));
+      plan_.instances.back().shadow = Shadow::none;
+    }
+    light.position -= job_.camera.eye;
+    plan_.lights.push_back(std::move(light));
+  }
+
+  /// A visible light as a shape that shines.
+  static Instance shape_of(const Light& light) {
+    Affine world_from_model = Affine::translation(light.position);
+    Shape shape = Sphere{Vec3(0.0), light.radius};
+    if (light.rectangle) {
+      const auto& [u, v] = *light.rectangle;
+      shape = Square{1.0};
+      world_from_model.linear = Mat3(u, glm::normalize(glm::cross(v, u)), v);
+    }
+    auto shine = std::make_shared<Material>();
+    shine->kd = Rgb(0.0);
+    shine->emission = light.colour;
+    const auto back = inverse(world_from_model);
+    return {world_from_model,
+            back ? *back : Affine{},
+            std::make_shared<const Shape>(shape),
+            shine,
+            nullptr,
+            light.where};
+  }
+
   void place(const Instance& from) {
     PlannedInstance to;
     to.render_from_model = from.world_from_model;
@@ -61,10 +112,15 @@ class Planner {
     if (const auto inverted = inverse(to.render_from_model)) {
       to.model_from_render = *inverted;
     }
+    to.moved_only =
+        to.render_from_model.linear == Mat3(1.0) && to.model_from_render.linear == Mat3(1.0);
     to.model_per_render = norm(to.model_from_render.linear);
     to.render_per_model = norm(to.render_from_model.linear);
     to.shape = from.shape;
+    to.texture = from.texture;
     to.material = material(from.material);
+    to.shadow = shadow_of(plan_.materials[to.material]);
+    plan_.dims |= to.shadow == Shadow::dims;
     if (const auto* shape = std::get_if<Mesh>(from.shape.get())) {
       to.mesh = mesh(*shape);
     }
@@ -72,6 +128,7 @@ class Planner {
     const Bounds box = transformed(to.render_from_model, model_box);
     const auto id = static_cast<std::uint32_t>(plan_.instances.size());
     plan_.instances.push_back(std::move(to));
+    all_boxes_.push_back(box);
     if (box.finite()) {
       plan_.bounded.push_back(id);
       boxes_.push_back(box);
@@ -84,9 +141,40 @@ class Planner {
     const auto [entry, added] =
         materials_.try_emplace(from.get(), static_cast<std::uint32_t>(plan_.materials.size()));
     if (added) {
-      plan_.materials.push_back(*from);
+      plan_.materials.push_back(planned(*from));
+      kept_.push_back(from);  // so that its address stays its own
     }
     return entry->second;
+  }
+
+  PlannedMaterial planned(const Material& from) {
+    const RenderOptions& options = plan_.options;
+    PlannedMaterial to{from};
+    if (!options.refraction) {
+      to.opacity = 1.0;
+    }
+    if (!options.glossy) {
+      to.glossiness = 0.0;
+    }
+    to.transmissive = to.opacity < 1.0;
+    const double brightest = max_abs(to.ks) * brightest_light_;
+    if (to.shininess > 0.0 && brightest > 0.0) {
+      to.least_r_dot_v = std::pow(negligible_light(options) / brightest, 1.0 / to.shininess);
+    }
+    const bool mirrors = to.transmissive || to.reflectivity != Rgb(0.0);
+    if (mirrors && to.glossiness > 0.0) {
+      to.lobe.emplace(2.0 / (to.glossiness * to.glossiness) - 2.0);
+      plan_.random = true;
+    }
+    plan_.absorbs |= to.transmissive && to.absorption != Rgb(0.0);
+    return to;
+  }
+
+  static Shadow shadow_of(const PlannedMaterial& material) {
+    if (!material.transmissive) {
+      return Shadow::blocks;
+    }
+    return material.opacity == 0.0 && material.absorption == Rgb(0.0) ? Shadow::none : Shadow::dims;
   }
 
   const PlannedMesh* mesh(const Mesh& from) {
@@ -95,7 +183,7 @@ class Planner {
       auto planned = std::make_unique<PlannedMesh>();
       planned->data = from.data;
       const auto count = static_cast<std::uint32_t>(from.data->triangles.size());
-      if (wants_tree(plan_.options, count)) {
+      if (candidates_for(plan_.options, count) == Candidates::tree) {
         std::vector<Bounds> boxes;
         boxes.reserve(count);
         for (std::uint32_t i = 0; i < count; ++i) {
@@ -111,7 +199,10 @@ class Planner {
 
   const RenderJob& job_;
   RenderPlan plan_;
-  std::vector<Bounds> boxes_;
+  std::vector<Bounds> boxes_;      ///< of plan_.bounded
+  std::vector<Bounds> all_boxes_;  ///< of all instances
+  std::vector<std::shared_ptr<const Material>> kept_;
+  double brightest_light_ = 0.0;
   std::unordered_map<const Material*, std::uint32_t> materials_;
   std::unordered_map<const MeshData*, const PlannedMesh*> meshes_;
 };

@@ -1,6 +1,9 @@
 #include "rt/render/query.h"
 
+#include <algorithm>
+
 #include "rt/math/rounding.h"
+#include "rt/render/accel/box_list.h"
 #include "rt/render/accel/box_tree.h"
 
 namespace rt {
@@ -18,13 +21,14 @@ struct ModelRay {
 ModelRay to_model(const RenderPlan& plan, std::uint32_t id, const TraceRay& ray) {
   const PlannedInstance& instance = plan.instances[id];
   ModelRay model{model_ray(instance, ray), {}};
-  if (ray.position_error > 0.0) {
-    // The origin's own error, stretched by the map, and the rounding of the map (three products and
-    // three sums in each of three components).
-    const double reach = instance.model_per_render * max_abs(ray.origin) +
-                         max_abs(instance.model_from_render.offset);
-    model.start.position_error = instance.model_per_render * ray.position_error + gamma(12) * reach;
+  if (ray.instance == no_instance) {
+    return model;
   }
+  // The origin's own error, stretched by the map, and the rounding of the map (three products and
+  // three sums in each of three components).
+  const double reach =
+      instance.model_per_render * max_abs(ray.origin) + max_abs(instance.model_from_render.offset);
+  model.start.position_error = instance.model_per_render * ray.position_error + gamma(12) * reach;
   if (ray.instance == id) {
     model.start.leaving = ray.leaving;
     model.start.feature = ray.feature;
@@ -67,12 +71,14 @@ class Nearest {
   void offer(const SceneHit& hit) {
     if (hit.t < nearest_) {
       nearest_ = hit.t;
-      limit_ = hit.t * (1.0 + tie);
+      limit_ = std::min(limit_, hit.t * (1.0 + tie));
     }
     if (winner_.t > limit_ || hit.instance < winner_.instance) {
       winner_ = hit;
     }
   }
+
+  explicit Nearest(double t_max) : limit_(t_max) {}
 
   std::optional<SceneHit> winner() const {
     return winner_.instance == no_instance ? std::nullopt : std::optional(winner_);
@@ -80,63 +86,85 @@ class Nearest {
 
  private:
   double nearest_ = std::numeric_limits<double>::infinity();
-  double limit_ = std::numeric_limits<double>::infinity();
+  double limit_;
   SceneHit winner_;
 };
+
+/// Calls visit(instance) -> double for all that the ray may cross before t_max; what it returns is
+/// the new t_max, a negative one ends the search.
+template <class Visit>
+void each_candidate(const RenderPlan& plan, const Ray& ray, double t_max, Visit visit) {
+  for (const std::uint32_t id : plan.unbounded) {
+    t_max = visit(id);
+    if (t_max < 0.0) {
+      return;
+    }
+  }
+  auto visit_box = [&](std::uint32_t index) { return visit(plan.bounded[index]); };
+  if (plan.list) {
+    plan.list->walk(ray, t_max, visit_box);
+  } else if (plan.tree) {
+    plan.tree->walk(ray, t_max, visit_box);
+  } else {
+    for (std::uint32_t index = 0; index < plan.bounded.size() && t_max >= 0.0; ++index) {
+      t_max = visit_box(index);
+    }
+  }
+}
+
+/// The nearest crossing with t <= t_max among the instances that `counts` accepts.
+template <class Counts>
+std::optional<SceneHit> nearest_of(const RenderPlan& plan, const TraceRay& ray, double t_max,
+                                   Counts counts) {
+  Nearest nearest(t_max);
+  each_candidate(plan, {ray.origin, ray.direction}, t_max, [&](std::uint32_t id) {
+    if (counts(plan.instances[id])) {
+      if (const auto hit = intersect_instance(plan, id, ray, nearest.limit())) {
+        nearest.offer({hit->t, id, hit->feature});
+      }
+    }
+    return nearest.limit();
+  });
+  return nearest.winner();
+}
 
 }  // namespace
 
 Ray model_ray(const PlannedInstance& instance, const TraceRay& ray) {
+  if (instance.moved_only) {
+    return {ray.origin + instance.model_from_render.offset, ray.direction};
+  }
   return {instance.model_from_render.point(ray.origin),
           instance.model_from_render.vector(ray.direction)};
 }
 
+std::optional<SceneHit> instance_hit(const RenderPlan& plan, std::uint32_t instance,
+                                     const TraceRay& ray) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const auto hit = intersect_instance(plan, instance, ray, inf);
+  return hit ? std::optional(SceneHit{hit->t, instance, hit->feature}) : std::nullopt;
+}
+
 std::optional<SceneHit> closest_hit(const RenderPlan& plan, const TraceRay& ray) {
-  Nearest nearest;
-  const auto test = [&](std::uint32_t id) {
-    if (const auto hit = intersect_instance(plan, id, ray, nearest.limit())) {
-      nearest.offer({hit->t, id, hit->feature});
-    }
-  };
-  for (const std::uint32_t id : plan.unbounded) {
-    test(id);
-  }
-  if (plan.tree) {
-    plan.tree->walk({ray.origin, ray.direction}, nearest.limit(), [&](std::uint32_t index) {
-      test(plan.bounded[index]);
-      return nearest.limit();
-    });
-  } else {
-    for (const std::uint32_t id : plan.bounded) {
-      test(id);
-    }
-  }
-  return nearest.winner();
+  return nearest_of(plan, ray, std::numeric_limits<double>::infinity(),
+                    [](const PlannedInstance&) { return true; });
+}
+
+std::optional<SceneHit> closest_dimming_hit(const RenderPlan& plan, const TraceRay& ray,
+                                            double t_max) {
+  return nearest_of(plan, ray, t_max, [](const PlannedInstance& instance) {
+    return instance.shadow == Shadow::dims;
+  });
 }
 
 bool occluded(const RenderPlan& plan, const TraceRay& ray, double t_max) {
-  const auto hit = [&](std::uint32_t id) {
-    return intersect_instance(plan, id, ray, t_max).has_value();
-  };
-  for (const std::uint32_t id : plan.unbounded) {
-    if (hit(id)) {
-      return true;
-    }
-  }
-  if (plan.tree) {
-    bool found = false;
-    plan.tree->walk({ray.origin, ray.direction}, t_max, [&](std::uint32_t index) {
-      found = hit(plan.bounded[index]);
-      return found ? -1.0 : t_max;
-    });
-    return found;
-  }
-  for (const std::uint32_t id : plan.bounded) {
-    if (hit(id)) {
-      return true;
-    }
-  }
-  return false;
+  bool found = false;
+  each_candidate(plan, {ray.origin, ray.direction}, t_max, [&](std::uint32_t id) {
+    found = plan.instances[id].shadow == Shadow::blocks &&
+            intersect_instance(plan, id, ray, t_max).has_value();
+    return found ? -1.0 : t_max;
+  });
+  return found;
 }
 
 }  // namespace rt

@@ -3,6 +3,8 @@
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 
+#include <time.h>
+
 #include <algorithm>
 #include <mutex>
 #include <tuple>
@@ -13,6 +15,13 @@ namespace rt {
 namespace {
 
 constexpr int tile_edge = 16;
+
+/// Processor time of this thread, in seconds.
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 /// Shared by the tiles; touched once a tile.
 class Shared {
@@ -31,6 +40,7 @@ class Shared {
     }
     statistics.bad_samples += tile.bad_samples;
     statistics.samples += tile.samples;
+    statistics.cpu_seconds += tile.cpu_seconds;
     statistics.rays += tile.rays;
     if (progress_) {
       progress_({done_ / pixels_, statistics.rays.total()});
@@ -49,11 +59,14 @@ class Shared {
 void render_tile(const RenderPlan& plan, const Crop& crop, const Crop& tile, Film& film,
                  Shared& shared) {
   RenderStatistics statistics;
+  const double begin = thread_seconds();
+  Tracer tracer(plan);
   for (int y = tile.y; y < tile.y + tile.height; ++y) {
     for (int x = tile.x; x < tile.x + tile.width; ++x) {
-      film.set(x - crop.x, y - crop.y, render_pixel(plan, x, y, statistics));
+      film.set(x - crop.x, y - crop.y, render_pixel(tracer, x, y, statistics));
     }
   }
+  statistics.cpu_seconds = thread_seconds() - begin;
   shared.add(statistics, tile.width * tile.height);
 }
 

@@ -38,22 +38,15 @@ class Flattener {
   Flattened take(const Node& root) {
     result_.instances.reserve(count_shapes(root, max_instances_));
     // An explicit stack: a chain of nodes is as deep as the script likes.
-    std::vector<Visit> open{{&root, Affine{}, nullptr, 1}};
+    std::vector<Visit> open;
+    enter(root, Visit{nullptr, Affine{}, {}}, open);
     while (!open.empty()) {
-      const Visit visit = open.back();
-      open.pop_back();
-      const Node& node = *visit.node;
-      check_depth(node, visit.depth);
-      if (++visits_ / visits_per_instance >= max_instances_) {
-        refuse(node);
-      }
-      const Affine world_from_node = visit.world_from_parent * node.parent_from_node;
-      const auto& material = node.material ? node.material : visit.material;
-      if (node.shape) {
-        place(node, world_from_node, material);
-      }
-      for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
-        open.push_back({child->get(), world_from_node, material, visit.depth + 1});
+      Visit& visit = open.back();
+      if (visit.next < visit.node->children.size()) {
+        const Node& child = *visit.node->children[visit.next++];
+        enter(child, visit, open);
+      } else {
+        open.pop_back();
       }
     }
     warn_of_missing_materials();
@@ -61,12 +54,42 @@ class Flattener {
   }
 
  private:
+  struct Paint {
+    std::shared_ptr<const Material> material;
+    std::shared_ptr<const Texture> texture;
+  };
+
+  /// A node whose children are being visited.
   struct Visit {
     const Node* node;
-    Affine world_from_parent;
-    std::shared_ptr<const Material> material;
-    std::size_t depth;
+    Affine world_from_node;
+    Paint paint;
+    std::size_t next = 0;  ///< child to visit
   };
+
+  void enter(const Node& node, const Visit& parent, std::vector<Visit>& open) {
+    check_depth(node, open.size() + 1);
+    if (++visits_ / visits_per_instance >= max_instances_) {
+      refuse(node);
+    }
+    const Affine world_from_node = parent.world_from_node * node.parent_from_node;
+    const Paint paint = painted(node, parent.paint);
+    if (node.shape) {
+      place(node, world_from_node, paint);
+    }
+    if (!node.children.empty()) {
+      open.push_back({&node, world_from_node, paint});
+    }
+  }
+
+  /// A material set here comes with the texture set here, or none; else both are the parent's, but
+  /// for a texture set here.
+  static Paint painted(const Node& node, const Paint& inherited) {
+    if (node.material) {
+      return {node.material, node.texture};
+    }
+    return {inherited.material, node.texture ? node.texture : inherited.texture};
+  }
 
   static void check_depth(const Node& node, std::size_t depth) {
     if (depth > max_graph_depth) {
@@ -83,8 +106,7 @@ class Flattener {
                                 node.name, max_instances_));
   }
 
-  void place(const Node& node, const Affine& world_from_model,
-             const std::shared_ptr<const Material>& material) {
+  void place(const Node& node, const Affine& world_from_model, const Paint& paint) {
     const auto model_from_world = inverse(world_from_model);
     if (!model_from_world) {
       throw SceneError(fmt::format(
@@ -96,7 +118,8 @@ class Flattener {
       refuse(node);
     }
     result_.instances.push_back({world_from_model, *model_from_world, node.shape,
-                                 material ? material : default_material(node), node.name});
+                                 paint.material ? paint.material : default_material(node),
+                                 paint.texture, node.name});
   }
 
   std::shared_ptr<const Material> default_material(const Node& node) {

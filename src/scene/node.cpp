@@ -57,7 +57,11 @@ Node::~Node() {
 
 void translate(Node& node, const Vec3& by, TransformOrder order) {
   require_finite(node, "translate", by);
-  apply(node, Affine::translation(by), order);
+  if (order == TransformOrder::pre) {
+    node.parent_from_node.offset += by;
+  } else {
+    apply(node, Affine::translation(by), order);
+  }
 }
 
 void rotate(Node& node, int axis, double degrees, TransformOrder order) {
@@ -73,7 +77,13 @@ void scale(Node& node, const Vec3& factors, TransformOrder order) {
                     "use a small factor instead",
                     node.name, factors.x, factors.y, factors.z));
   }
-  apply(node, Affine::scaling(factors), order);
+  Affine& map = node.parent_from_node;
+  if (order == TransformOrder::pre) {
+    map = {{map.linear[0] * factors, map.linear[1] * factors, map.linear[2] * factors},
+           map.offset * factors};
+  } else {
+    apply(node, Affine::scaling(factors), order);
+  }
 }
 
 void add_child(Node& parent, std::shared_ptr<Node> child) {

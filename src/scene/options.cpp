@@ -40,6 +40,15 @@ double as_number(const OptionValue& value, std::string_view expected) {
   refuse(expected, value);
 }
 
+double as_number_in(const OptionValue& value, double lo, double hi) {
+  const std::string expected = fmt::format("a number from {} to {}", lo, hi);
+  const double d = as_number(value, expected);
+  if (!(d >= lo && d <= hi)) {
+    refuse(expected, value);
+  }
+  return d;
+}
+
 /// A whole number in [lo, hi]; `hi` at most 2^53, so that every double in range is exact.
 std::int64_t as_whole(const OptionValue& value, std::int64_t lo, std::int64_t hi) {
   const std::string expected = fmt::format("a whole number from {} to {}", lo, hi);
@@ -107,6 +116,11 @@ constexpr std::array specs{
                  o.samples = static_cast<int>(as_whole(v, 1, max_count));
                },
                [](const RenderOptions& o) { return OptionValue(static_cast<double>(o.samples)); }},
+    OptionSpec{
+        "max_error", "", "E",
+        "error a pixel may have, of 1; smaller contributions are left out (default 0.02)",
+        [](RenderOptions& o, const OptionValue& v) { o.max_error = as_number_in(v, 1e-6, 1.0); },
+        [](const RenderOptions& o) { return OptionValue(o.max_error); }},
     OptionSpec{"seed", "", "N", "seed of all random decisions (default 0)",
                [](RenderOptions& o, const OptionValue& v) {
                  o.seed = static_cast<std::uint64_t>(as_whole(v, 0, max_seed));
@@ -127,6 +141,9 @@ constexpr std::array specs{
                [](RenderOptions& o, const OptionValue& v) { o.accel = as_choice(v, accels); },
                [](const RenderOptions& o) { return name_of(o.accel, accels); }},
     feature<&RenderOptions::reflection>("reflection", "mirror reflection"),
+    feature<&RenderOptions::refraction>("refraction", "refraction; off: transparent is opaque"),
+    feature<&RenderOptions::soft_shadows>("soft_shadows", "extended lights; off: all are points"),
+    feature<&RenderOptions::glossy>("glossy", "blurred reflection; off: all mirrors are perfect"),
     feature<&RenderOptions::antialiasing>("antialiasing", "more than one sample a pixel"),
     feature<&RenderOptions::acceleration>("acceleration", "anything but trying shapes one by one"),
 };

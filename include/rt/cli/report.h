@@ -13,7 +13,7 @@ struct Phases {
   double script = 0.0;  ///< from the start, or the last picture, until gr.render was called
   double plan = 0.0;    ///< compiling the scene and building hierarchies
   double trace = 0.0;
-  double trace_cpu = 0.0;  ///< processor time of all threads while tracing
+  double trace_cpu = 0.0;  ///< processor time of the threads that traced
   double write = 0.0;      ///< encoding and writing, waiting for OpenImageIO included
 };
 

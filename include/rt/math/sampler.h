@@ -1,20 +1,24 @@
 #pragma once
-/// The random decisions of one path: Owen-scrambled Sobol points (Burley, "Practical hash-based
-/// Owen scrambling", JCGT 9(4), 2020), as a pure function of (seed, absolute pixel, sample index,
-/// dimension). Threads, tiles, crops and resumed runs therefore draw the same numbers.
+/// The random decisions of one path: Owen-scrambled points of Sobol's kind (Burley, "Practical
+/// hash-based Owen scrambling", JCGT 9(4), 2020), as a pure function of (seed, absolute pixel,
+/// sample index, dimension). Threads, tiles, crops and resumed runs therefore draw the same
+/// numbers.
 ///
 /// Decisions that interact belong to one integral and are *joint* coordinates of one sequence; were
-/// they padded from independent 2D sets, the error of a penumbra seen through a pixel would fall as
-/// N^-0.5 instead of N^-0.7 (tests/convergence). The table of dimensions:
+/// they padded from independent 2D sets, the error of a penumbra as narrow as the pixel would fall
+/// as N^-0.51 instead of N^-0.63 (tests/convergence). The table of dimensions:
 ///
 ///   decision       vertex 0: joint, Sobol dim.   later vertices: padded, Sobol dim.
 ///   pixel          0, 1                          -
 ///   light          2, 3                          0, 1
-///   lobe           4, 6                          2, 3
-///   time           5                             -
-///   lens           9, 14                         -
-///   light_choice   10                            4
-///   lobe_choice    12                            5
+///   lobe           2, 3, scrambled apart         2, 3
+///   time           4                             -
+///   lens           5, 7                          -
+///   light_choice   6                             4
+///   lobe_choice    8                             6
+///
+/// Light and lobe of one vertex may share dimensions: what they contribute is added, never
+/// multiplied, so each is an integral of its own.
 ///
 /// "Later" counts random decisions, not bounces: see Vertex. A padded set visits its own sequence
 /// in its own order (an Owen-shuffled index), so it is independent of the joint set and of the
@@ -22,21 +26,20 @@
 ///
 /// Quality: 2^m consecutive points are a (t,m,s)-net in the coordinates listed, that is, every
 /// elementary interval of volume 2^(t-m) holds exactly 2^t of them. Scrambling preserves t.
-/// Measured (tests/unit/math/sampler_test.cpp) for m = 1..10, to be read beside the best possible
-/// 0:
+/// Measured (tests/unit/math/sampler_test.cpp) for m = 1..10; 0 is best:
 ///
-///   pixel                  0 0 0 0 0 0 0 0 0 0      padded light: the same
-///   light                  0 1 2 0 1 1 1 1 1 1      padded lobe: the same
-///   lobe                   0 0 0 0 1 2 1 2 1 1
-///   lens                   0 1 0 0 1 1 2 2 1 1
-///   pixel, light           0 1 2 2 2 2 2 3 3 2
-///   pixel, lobe            0 1 2 3 2 2 3 3 3 3
-///   pixel, lens            0 1 2 1 2 3 4 3 4 5
-///   pixel, time            0 1 2 3 1 2 3 3 2 3
-///   pixel, light, time     0 1 2 3 2 3 3 3 4 4
+///   pixel; light; lobe     0 0 0 0 0 0 0 0 0 0      padded ones too
+///   lens                   0 0 0 1 0 1 1 1 2 2
+///   pixel, light           0 1 2 1 2 2 3 2 3 3      pixel, lobe; padded light, lobe too
+///   pixel, lens            0 1 2 3 4 2 2 3 3 4
+///   pixel, time            0 1 1 2 2 1 2 2 2 2
+///   pixel, light, time     0 1 2 2 2 3 4 5 3 3
+///   light, light_choice    0 1 1 1 2 3 3 4 3 4
+///   lobe, lobe_choice      0 1 1 2 2 3 4 4 3 4
 ///
-/// Sobol dimensions were assigned by smallest sum of t over m = 1..12 among the first 23: first for
-/// pixel with light, which every soft shadow has; then lobe, time, lens and the choices.
+/// In base 4, pixel and light are jointly a (0,m,4)-net: at 16, 64, 256, ... samples every box of
+/// that many parts with sides that are powers of 4 holds one. The others were chosen, among Joe and
+/// Kuo's first 23 dimensions, by smallest sum of t with pixel and with light.
 #include <cstdint>
 
 #include "rt/math/hash.h"
@@ -71,16 +74,16 @@ class Sampler {
   Sampler at(std::uint32_t index) const { return Sampler(key_, index); }
 
   Vec2 pixel() const { return draw2(key_, point_, 0, 0, 1); }
-  Vec2 lens() const { return draw2(key_, point_, 1, 9, 14); }
-  double time() const { return draw1(key_, point_, 2, 5); }
+  Vec2 lens() const { return draw2(key_, point_, 1, 5, 7); }
+  double time() const { return draw1(key_, point_, 2, 4); }
   /// Position on a light, as a point of the unit square for the warps of warp.h.
   Vec2 light(Vertex v = {}) const { return pair(v, 3, 2, 3, 0, 1); }
   /// Direction within a lobe.
-  Vec2 lobe(Vertex v = {}) const { return pair(v, 4, 4, 6, 2, 3); }
+  Vec2 lobe(Vertex v = {}) const { return pair(v, 4, 2, 3, 2, 3); }
   /// Which light.
-  double light_choice(Vertex v = {}) const { return single(v, 5, 10, 4); }
+  double light_choice(Vertex v = {}) const { return single(v, 5, 6, 4); }
   /// Which lobe; reflection or refraction; go on or stop.
-  double lobe_choice(Vertex v = {}) const { return single(v, 6, 12, 5); }
+  double lobe_choice(Vertex v = {}) const { return single(v, 6, 8, 6); }
 
  private:
   Sampler(std::uint64_t key, std::uint32_t index)

@@ -7,10 +7,10 @@ namespace rt {
 /// Fajardo, King, "An area-preserving parametrization for spherical rectangles", EGSR 2013; here in
 /// a form that keeps its digits for small rectangles (derivation in the .cpp).
 ///
-/// Where that map would lose its digits all the same (p closer to the rectangle's plane than 4e-5 of
-/// its reach, or a rectangle smaller than 2e-9 of its offset from p's foot), and for a parallelogram,
-/// points are drawn uniformly by area. pdf is then the exact density of that, so estimates f / pdf
-/// stay unbiased.
+/// Where that map would lose its digits all the same (p closer to the rectangle's plane than 4e-5
+/// of its reach, or a rectangle smaller than 2e-9 of its offset from p's foot), and for a
+/// parallelogram, points are drawn uniformly by area. pdf is then the exact density of that, so
+/// estimates f / pdf stay unbiased.
 class SphericalRectangle {
  public:
   /// Seen from p: corner + s u + t v, s and t in [0,1].

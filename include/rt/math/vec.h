@@ -1,5 +1,7 @@
 #pragma once
 /// The vector types of the whole program: GLM's, in double precision.
+#include <algorithm>
+#include <cmath>
 #include <glm/glm.hpp>
 
 namespace rt {
@@ -12,9 +14,13 @@ using Mat3 = glm::dmat3;
 using Rgb = glm::dvec3;
 
 /// True when no component is NaN or infinite.
-bool all_finite(const Vec3& v);
+inline bool all_finite(const Vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 /// The largest absolute component.
-double max_abs(const Vec3& v);
+inline double max_abs(const Vec3& v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
 
 }  // namespace rt

@@ -1,10 +1,10 @@
 #pragma once
-#include "rt/render/plan.h"
 #include "rt/render/render.h"
+#include "rt/render/tracer.h"
 
 namespace rt {
 
 /// The value of pixel (x, y): the mean over its samples. Adds to the statistics.
-Rgb render_pixel(const RenderPlan& plan, int x, int y, RenderStatistics& statistics);
+Rgb render_pixel(Tracer& tracer, int x, int y, RenderStatistics& statistics);
 
 }  // namespace rt

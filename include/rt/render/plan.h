@@ -1,13 +1,17 @@
 #pragma once
 /// What is rendered: a RenderJob compiled to flat arrays, in render space.
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
+#include "rt/math/lobe.h"
 #include "rt/render/trace.h"
 #include "rt/scene/render_job.h"
 
 namespace rt {
 
+class BoxList;
 class BoxTree;
 
 /// The triangles of one mesh, shared by all its instances.
@@ -16,14 +20,35 @@ struct PlannedMesh {
   std::unique_ptr<const BoxTree> tree;  ///< over triangles; null: try them one by one
 };
 
+/// A material with what follows from it, options considered.
+struct PlannedMaterial : Material {
+  bool transmissive = false;            ///< opacity < 1: glass
+  double least_r_dot_v = 0.0;           ///< below it no highlight reaches negligible_light()
+  std::optional<PowerCosineLobe> lobe;  ///< spreads reflection and transmission; none: perfect
+};
+
+/// The contribution of a light that is left out: a quarter of an 8-bit step where the display is
+/// steepest, at the default max_error.
+inline double negligible_light(const RenderOptions& options) { return options.max_error / 256.0; }
+
+/// What an instance does to shadow rays.
+enum class Shadow : std::uint8_t {
+  blocks,
+  dims,  ///< lets (1 - opacity) through at every crossing, less what its inside absorbs
+  none,  ///< clear glass, and the shapes of lights
+};
+
 /// One shape placed in render space.
 struct PlannedInstance {
   Affine render_from_model;
   Affine model_from_render;
+  bool moved_only = false;        ///< the linear parts are identities
   double model_per_render = 1.0;  ///< norm of model_from_render: bounds how errors grow
   double render_per_model = 1.0;
   std::shared_ptr<const Shape> shape;
+  std::shared_ptr<const Texture> texture;  ///< null: kd is the material's
   std::uint32_t material = 0;
+  Shadow shadow = Shadow::blocks;
   const PlannedMesh* mesh = nullptr;
 };
 
@@ -47,12 +72,28 @@ struct RenderPlan {
   std::vector<std::unique_ptr<const PlannedMesh>> meshes;
   std::vector<std::uint32_t> unbounded;  ///< instances no box can hold
   std::vector<std::uint32_t> bounded;    ///< the others: what the tree's boxes stand for
-  std::unique_ptr<const BoxTree> tree;   ///< over `bounded`; null: try them one by one
-  std::vector<Material> materials;
+  /// Over `bounded`: a hierarchy, or for a few a list; neither: try them one by one.
+  std::unique_ptr<const BoxTree> tree;
+  std::unique_ptr<const BoxList> list;
+  std::vector<PlannedMaterial> materials;
   std::vector<Light> lights;  ///< positions in render space
   CameraFrame camera;
   Rgb ambient{0.0};
   RenderOptions options;
+
+  // What this scene needs. What it does not need costs nothing.
+  bool random = false;   ///< extended lights or gloss: paths take random decisions
+  bool dims = false;     ///< some instance dims shadow rays
+  bool absorbs = false;  ///< some medium absorbs
+
+  /// The transmissive instances whose boxes meet that of `instance`, itself included if it is one;
+  /// smallest box first. Filled for transmissive instances, and for all where a medium absorbs.
+  std::span<const std::uint32_t> media_about(std::uint32_t instance) const {
+    const auto [begin, end] = media_ranges[instance];
+    return {media.data() + begin, media.data() + end};
+  }
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> media_ranges;
+  std::vector<std::uint32_t> media;
 };
 
 /// Compiles a job. The job's options are those in force.

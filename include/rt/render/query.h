@@ -14,7 +14,15 @@ Ray model_ray(const PlannedInstance& instance, const TraceRay& ray);
 /// the instance that stands first in the plan owns it: surfaces that coincide do not speckle.
 std::optional<SceneHit> closest_hit(const RenderPlan& plan, const TraceRay& ray);
 
-/// Whether anything is crossed with 0 < t <= t_max.
+/// The nearest crossing of that one instance.
+std::optional<SceneHit> instance_hit(const RenderPlan& plan, std::uint32_t instance,
+                                     const TraceRay& ray);
+
+/// The nearest crossing with 0 < t <= t_max of an instance that dims shadow rays.
+std::optional<SceneHit> closest_dimming_hit(const RenderPlan& plan, const TraceRay& ray,
+                                            double t_max);
+
+/// Whether anything that blocks shadow rays is crossed with 0 < t <= t_max.
 bool occluded(const RenderPlan& plan, const TraceRay& ray, double t_max);
 
 }  // namespace rt

@@ -1,5 +1,5 @@
 #pragma once
-/// The recursive shader: the radiance that arrives along a ray.
+/// Points to be shaded, and rays from them.
 #include <cstdint>
 
 #include "rt/render/plan.h"
@@ -12,8 +12,9 @@ struct RayCounts {
   std::uint64_t camera = 0;
   std::uint64_t shadow = 0;
   std::uint64_t reflection = 0;
+  std::uint64_t refraction = 0;
 
-  std::uint64_t total() const { return camera + shadow + reflection; }
+  std::uint64_t total() const { return camera + shadow + reflection + refraction; }
   RayCounts& operator+=(const RayCounts& other);
 };
 
@@ -33,9 +34,5 @@ ShadingPoint shading_point(const RenderPlan& plan, const TraceRay& ray, const Sc
 
 /// A ray from a shading point, which knows what it leaves and to which side.
 TraceRay leave(const ShadingPoint& from, const Vec3& direction);
-
-/// The radiance along a camera ray. `y` in [0,1], from the picture's top, places a background
-/// gradient. Counts the rays it takes.
-Rgb radiance(const RenderPlan& plan, const TraceRay& camera_ray, double y, RayCounts& counts);
 
 }  // namespace rt

@@ -6,6 +6,7 @@
 #include "rt/geometry/shape.h"
 #include "rt/math/transform.h"
 #include "rt/scene/material.h"
+#include "rt/scene/texture.h"
 
 namespace rt {
 
@@ -22,7 +23,10 @@ struct Node {
   std::string where;                         ///< script:line of its making, for messages
   Affine parent_from_node;                   ///< maps this node's space into its parent's
   std::shared_ptr<const Material> material;  ///< null: inherit the nearest ancestor's
-  std::shared_ptr<const Shape> shape;        ///< null: groups its children only
+  /// Replaces kd of `material` where that is set here, else of the inherited material. Inherited
+  /// together with the material.
+  std::shared_ptr<const Texture> texture;
+  std::shared_ptr<const Shape> shape;  ///< null: groups its children only
   std::vector<std::shared_ptr<Node>> children;
   bool has_parent = false;  ///< has been added under some node; kept by add_child
 };
@@ -46,6 +50,7 @@ struct Instance {
   Affine model_from_world;
   std::shared_ptr<const Shape> shape;  ///< shared by the instances of one node
   std::shared_ptr<const Material> material;
+  std::shared_ptr<const Texture> texture;  ///< null: kd is the material's
   std::string name;
 };
 

@@ -26,12 +26,16 @@ struct Background {
 struct RenderOptions {
   int width = 0;
   int height = 0;
-  int max_depth = 8;  ///< how many mirror bounces a path may take
-  int samples = 16;   ///< per pixel; 1 is the pixel's centre
+  int max_depth = 8;        ///< how many times a path may be reflected or refracted
+  double max_error = 0.02;  ///< accepted error of a pixel, in displayed 0..1 units
+  int samples = 16;         ///< per pixel; 1 is the pixel's centre
   std::uint64_t seed = 0;
   Encoding encoding = Encoding::srgb;
   AccelChoice accel = AccelChoice::automatic;
   bool reflection = true;
+  bool refraction = true;    ///< false: transparent things are opaque
+  bool soft_shadows = true;  ///< false: every light is a point
+  bool glossy = true;        ///< false: every mirror is perfect
   bool antialiasing = true;  ///< false: one sample at the pixel's centre
   bool acceleration = true;
   Background background;

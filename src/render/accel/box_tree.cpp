@@ -65,8 +65,8 @@ bool clip(const Vec3& origin, const Vec3& direction, double& t0, double& t1) {
 }
 
 RTCDevice device() {
-  // One for the process; it holds no scene's data. It keeps the number of threads that it finds when
-  // it is first wanted (with_threads), for building only.
+  // One for the process; it holds no scene's data. It keeps the number of threads that it finds
+  // when it is first wanted (with_threads), for building only.
   static RTCDevice shared = rtcNewDevice("set_affinity=0");
   return shared;
 }

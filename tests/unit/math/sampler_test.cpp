@@ -17,6 +17,7 @@ using Draw = std::function<Point(const Sampler&)>;
 std::vector<Point> first_points(const Draw& draw, int count, int x = 17, int y = 91,
                                 std::uint32_t from = 0) {
   std::vector<Point> points;
+  points.reserve(static_cast<std::size_t>(count));
   const Sampler pixel(5, x, y, 0);
   for (int i = 0; i < count; ++i) {
     points.push_back(draw(pixel.at(from + static_cast<std::uint32_t>(i))));
@@ -86,6 +87,11 @@ std::string t_values(const Draw& draw) {
 Point of(const Vec2& a) { return {a.x, a.y}; }
 Point of(const Vec2& a, const Vec2& b) { return {a.x, a.y, b.x, b.y}; }
 
+Point with(Point p, double c) {
+  p.push_back(c);
+  return p;
+}
+
 TEST(Sampler, PixelIsAZeroNetInAnyPixelAndBlock) {
   for (int pixel = 0; pixel < 8; ++pixel) {
     for (int m = 0; m <= 10; ++m) {
@@ -102,30 +108,44 @@ TEST(Sampler, PixelIsAZeroNetInAnyPixelAndBlock) {
 
 // The table in sampler.h.
 TEST(Sampler, QualityIsAsDocumented) {
-  EXPECT_EQ(t_values([](const Sampler& s) { return of(s.light()); }), "0 1 2 0 1 1 1 1 1 1");
-  EXPECT_EQ(t_values([](const Sampler& s) { return of(s.lobe()); }), "0 0 0 0 1 2 1 2 1 1");
-  EXPECT_EQ(t_values([](const Sampler& s) { return of(s.lens()); }), "0 1 0 0 1 1 2 2 1 1");
-  EXPECT_EQ(t_values([](const Sampler& s) { return of(s.pixel(), s.light()); }),
-            "0 1 2 2 2 2 2 3 3 2");
-  EXPECT_EQ(t_values([](const Sampler& s) { return of(s.pixel(), s.lobe()); }),
-            "0 1 2 3 2 2 3 3 3 3");
+  const std::string perfect = "0 0 0 0 0 0 0 0 0 0";
+  const std::string pixel_and_pair = "0 1 2 1 2 2 3 2 3 3";
+  EXPECT_EQ(t_values([](const Sampler& s) { return of(s.light()); }), perfect);
+  EXPECT_EQ(t_values([](const Sampler& s) { return of(s.lobe()); }), perfect);
+  EXPECT_EQ(t_values([](const Sampler& s) { return of(s.lens()); }), "0 0 0 1 0 1 1 1 2 2");
+  EXPECT_EQ(t_values([](const Sampler& s) { return of(s.pixel(), s.light()); }), pixel_and_pair);
+  EXPECT_EQ(t_values([](const Sampler& s) { return of(s.pixel(), s.lobe()); }), pixel_and_pair);
   EXPECT_EQ(t_values([](const Sampler& s) { return of(s.pixel(), s.lens()); }),
-            "0 1 2 1 2 3 4 3 4 5");
-  EXPECT_EQ(t_values([](const Sampler& s) {
-              return Point{s.pixel().x, s.pixel().y, s.time()};
-            }),
-            "0 1 2 3 1 2 3 3 2 3");
-  EXPECT_EQ(t_values([](const Sampler& s) {
-              return Point{s.pixel().x, s.pixel().y, s.light().x, s.light().y, s.time()};
-            }),
-            "0 1 2 3 2 3 3 3 4 4");
+            "0 1 2 3 4 2 2 3 3 4");
+  EXPECT_EQ(t_values([](const Sampler& s) { return with(of(s.pixel()), s.time()); }),
+            "0 1 1 2 2 1 2 2 2 2");
+  EXPECT_EQ(t_values([](const Sampler& s) { return with(of(s.pixel(), s.light()), s.time()); }),
+            "0 1 2 2 2 3 4 5 3 3");
+  EXPECT_EQ(t_values([](const Sampler& s) { return with(of(s.light()), s.light_choice()); }),
+            "0 1 1 1 2 3 3 4 3 4");
+  EXPECT_EQ(t_values([](const Sampler& s) { return with(of(s.lobe()), s.lobe_choice()); }),
+            "0 1 1 2 2 3 4 4 3 4");
+}
+
+TEST(Sampler, PixelAndLightAreAZeroNetInBaseFour) {
+  for (int m : {2, 4, 6, 8}) {
+    const auto points =
+        first_points([](const Sampler& s) { return of(s.pixel(), s.light()); }, 1 << m);
+    for (int a = 0; a <= m; a += 2) {
+      for (int b = 0; a + b <= m; b += 2) {
+        for (int c = 0; a + b + c <= m; c += 2) {
+          EXPECT_TRUE(equidistributed(points, {a, b, c, m - a - b - c}));
+        }
+      }
+    }
+  }
 }
 
 TEST(Sampler, CopiesOfALightStayJointWithThePixel) {
   EXPECT_EQ(t_values([](const Sampler& s) {
               return of(s.pixel(), s.light({0, 7}));
             }),
-            "0 1 2 2 2 2 2 3 3 2");
+            "0 1 2 1 2 2 3 2 3 3");
 }
 
 TEST(Sampler, PaddedSetsAreNetsAmongThemselves) {
@@ -137,7 +157,7 @@ TEST(Sampler, PaddedSetsAreNetsAmongThemselves) {
     EXPECT_EQ(t_values([=](const Sampler& s) {
                 return of(s.light({order, 0}), s.lobe({order, 0}));
               }),
-              "0 1 2 2 2 2 2 3 3 2");
+              "0 1 2 1 2 2 3 2 3 3");
   }
 }
 

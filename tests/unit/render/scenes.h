@@ -16,7 +16,7 @@ inline void add(RenderJob& job, const Shape& shape, const Affine& world_from_mod
                 const Material& material) {
   job.instances.push_back({world_from_model, *inverse(world_from_model),
                            std::make_shared<const Shape>(shape),
-                           std::make_shared<const Material>(material), "test"});
+                           std::make_shared<const Material>(material), nullptr, "test"});
 }
 
 /// A job whose camera at `eye` looks at `target`, of one sample a pixel.

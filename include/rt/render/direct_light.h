@@ -1,0 +1,28 @@
+#pragma once
+#include "rt/math/sampler.h"
+#include "rt/render/shading.h"
+
+namespace rt {
+
+/// The reflectances in force at a point: textures resolved.
+struct Phong {
+  Rgb kd;
+  Rgb ks;
+  double shininess;
+  double least_r_dot_v;  ///< below it the highlight is negligible
+};
+
+/// Light `index`, reflected towards `view` (unit): sum over the light's directions, visibility
+/// included. An extended light is the mean of point lights over the directions that it subtends,
+/// uniform in solid angle; one sample of that mean is taken, drawn at `vertex`. Contributions that
+/// are below `negligible` in every channel are left out, and cost no shadow ray.
+Rgb direct_light(const RenderPlan& plan, std::size_t index, const Phong& phong,
+                 const ShadingPoint& point, const Vec3& view, const Sampler& sampler,
+                 const Vertex& vertex, double negligible, RayCounts& counts);
+
+/// What share of the light arrives at a point from `t_max` times `way` away: 0 behind anything that
+/// blocks, less than 1 behind what dims.
+Rgb visibility(const RenderPlan& plan, const ShadingPoint& from, const Vec3& way, double t_max,
+               RayCounts& counts);
+
+}  // namespace rt

@@ -1,0 +1,60 @@
+#pragma once
+/// The recursive shader: the radiance that arrives along a camera ray.
+#include <vector>
+
+#include "rt/math/sampler.h"
+#include "rt/render/shading.h"
+
+namespace rt {
+
+/// Follows paths through a plan. One a thread; it keeps its memory from sample to sample.
+///
+/// At glass a path divides. Both branches are followed as long as leaving the choice to chance
+/// would add noticeably to the error; after that one is taken, in proportion to their weights,
+/// which is unbiased. Where nothing else is random (RenderPlan::random) nothing is left to chance:
+/// a branch that can carry no more than `negligible()` of full brightness is not followed. Weights
+/// of the branches alive at one depth sum to at most 1, so either rule bounds their number, and the
+/// cost is linear in the depth (derivation in the .cpp).
+class Tracer {
+ public:
+  explicit Tracer(const RenderPlan& plan);
+
+  const RenderPlan& plan() const { return plan_; }
+
+  /// `y` in [0,1], from the picture's top, places a background gradient. Counts the rays it takes.
+  Rgb radiance(const TraceRay& camera_ray, double y, const Sampler& sampler, RayCounts& counts);
+
+  /// The weight below which a branch does not matter, from the options' max_error.
+  double negligible() const { return negligible_; }
+
+ private:
+  struct Path {
+    TraceRay ray;
+    Rgb throughput;
+    Vertex vertex;
+    int depth;
+  };
+  struct Scatter;
+
+  void follow(const Path& path);
+  Rgb surface(const Path& path, const ShadingPoint& point, const PlannedMaterial& material,
+              const Vec3& direction);
+  void scatter(const Path& path, const ShadingPoint& point, const PlannedMaterial& material,
+               const Vec3& direction);
+  void divide(const Scatter& at, double reflected, double transmitted);
+  void reflect(const Scatter& at, const Rgb& throughput);
+  void transmit(const Scatter& at, const Rgb& throughput);
+  void add(const Scatter& at, const Vec3& direction, const Rgb& throughput, bool drawn);
+
+  const RenderPlan& plan_;
+  double negligible_;
+  std::vector<Path> open_;
+
+  // Of the sample being taken.
+  Rgb sum_{0.0};
+  double y_ = 0.0;
+  const Sampler* sampler_ = nullptr;
+  RayCounts* counts_ = nullptr;
+};
+
+}  // namespace rt

@@ -1,0 +1,22 @@
+#pragma once
+#include <variant>
+
+#include "rt/math/vec.h"
+
+namespace rt {
+
+/// A solid checker in model space: the cell of p is floor(p / size), its colour `even` where the
+/// sum of the cell's coordinates is even, else `odd`.
+struct Checker {
+  Rgb even{1.0};
+  Rgb odd{0.0};
+  double size = 1.0;  ///< edge of a cell, > 0
+};
+
+/// What may stand for a material's kd. To add one: a struct, its colour(), and an entry here.
+using Texture = std::variant<Checker>;
+
+/// The colour at a point of model space. Cells count correctly at any finite coordinate.
+Rgb colour(const Checker& checker, const Vec3& p_model);
+
+}  // namespace rt

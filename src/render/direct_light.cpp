@@ -1,0 +1,127 @@
+#include "rt/render/direct_light.h"
+
+#include <cmath>
+
+#include "rt/math/rounding.h"
+#include "rt/math/spherical_rectangle.h"
+#include "rt/math/warp.h"
+#include "rt/render/medium.h"
+#include "rt/render/query.h"
+
+namespace rt {
+namespace {
+
+bool is_black(const Rgb& c) { return c.r == 0.0 && c.g == 0.0 && c.b == 0.0; }
+
+/// A point of a light, seen from a shading point.
+struct LightSample {
+  Vec3 direction;  ///< unit
+  double distance;
+  double weight = 1.0;   ///< density uniform in solid angle over the density drawn from
+  bool shadowed = true;  ///< false: nothing can stand between
+};
+
+double falloff(const Light& light, double distance) {
+  const auto& f = light.falloff;
+  return 1.0 / (f.c0 + distance * (f.c1 + distance * f.c2));
+}
+
+/// From inside a sphere its surface fills all directions, and nothing inside shadows it.
+LightSample sample_around(const Vec3& from_centre, double radius, const Vec2& u) {
+  const Vec3 w = to_cone(u, {2.0});
+  const double b = glm::dot(w, from_centre);
+  const double c = (radius - glm::length(from_centre)) * (radius + glm::length(from_centre));
+  return {w, std::sqrt(std::max(0.0, b * b + c)) - b, 1.0, false};
+}
+
+LightSample sample_light(const Light& light, const Vec3& p, const Sampler& sampler,
+                         const Vertex& vertex) {
+  if (light.radius > 0.0) {
+    const Vec2 u = sampler.light(vertex);
+    const auto s = sample_sphere(u, p, light.position, light.radius);
+    return s ? LightSample{s->direction, s->distance}
+             : sample_around(p - light.position, light.radius, u);
+  }
+  if (light.rectangle) {
+    const auto& [u, v] = *light.rectangle;
+    const SphericalRectangle seen(p, light.position - 0.5 * (u + v), u, v);
+    if (!(seen.solid_angle() > 0.0)) {
+      return {Vec3(0.0), 1.0, 0.0};
+    }
+    const auto s = seen.sample(sampler.light(vertex));
+    const double distance = glm::length(s.to_point);
+    return {s.to_point / distance, distance, 1.0 / (s.pdf * seen.solid_angle())};
+  }
+  const Vec3 to_light = light.position - p;
+  const double distance = glm::length(to_light);
+  return {to_light / distance, distance};
+}
+
+/// kd (n.l) + ks (r.v)^shininess, where the light stands above the surface.
+Rgb reflected(const Phong& phong, const ShadingPoint& point, const Vec3& view, const Vec3& l) {
+  const double n_dot_l = glm::dot(point.shading_normal, l);
+  // Written so that a light at the very point, l = NaN, gives nothing.
+  if (!(n_dot_l > 0.0 && glm::dot(point.normal, l) > 0.0)) {
+    return Rgb(0.0);
+  }
+  Rgb sum = phong.kd * n_dot_l;
+  if (!is_black(phong.ks)) {
+    const double r_dot_v = 2.0 * n_dot_l * glm::dot(point.shading_normal, view) - glm::dot(l, view);
+    if (r_dot_v > phong.least_r_dot_v) {
+      sum += phong.ks * std::pow(r_dot_v, phong.shininess);
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+Rgb visibility(const RenderPlan& plan, const ShadingPoint& from, const Vec3& way, double t_max,
+               RayCounts& counts) {
+  ++counts.shadow;
+  if (occluded(plan, leave(from, way), t_max)) {
+    return Rgb(0.0);
+  }
+  Rgb share(1.0);
+  if (!plan.dims) {
+    return share;
+  }
+  const double length = glm::length(way);
+  ShadingPoint at = from;
+  for (double rest = t_max; !is_black(share);) {
+    const TraceRay ray = leave(at, way);
+    const auto hit = closest_dimming_hit(plan, ray, rest);
+    if (plan.absorbs) {
+      share *= transmittance(plan, medium_ahead(plan, at, way), (hit ? hit->t : rest) * length);
+    }
+    if (!hit) {
+      break;
+    }
+    ++counts.shadow;
+    share *= 1.0 - plan.materials[plan.instances[hit->instance].material].opacity;
+    at = shading_point(plan, ray, *hit);
+    rest -= hit->t;
+  }
+  return share;
+}
+
+Rgb direct_light(const RenderPlan& plan, std::size_t index, const Phong& phong,
+                 const ShadingPoint& point, const Vec3& view, const Sampler& sampler,
+                 const Vertex& vertex, double negligible, RayCounts& counts) {
+  const Light& light = plan.lights[index];
+  const LightSample s = sample_light(light, point.position, sampler, vertex);
+  const Rgb value = reflected(phong, point, view, s.direction) * light.colour *
+                    (s.weight * falloff(light, s.distance));
+  if (!(max_abs(value) > negligible)) {
+    return Rgb(0.0);
+  }
+  if (!s.shadowed) {
+    return value;
+  }
+  // A surface through the light, as far as rounding can tell, does not shadow it.
+  const double t_max =
+      1.0 - (point.position_error + gamma(4) * max_abs(light.position)) / s.distance;
+  return value * visibility(plan, point, s.direction * s.distance, t_max, counts);
+}
+
+}  // namespace rt

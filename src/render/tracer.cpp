@@ -1,0 +1,207 @@
+#include "rt/render/tracer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rt/math/fresnel.h"
+#include "rt/render/direct_light.h"
+#include "rt/render/medium.h"
+#include "rt/render/query.h"
+
+namespace rt {
+namespace {
+
+// Branches that are left out, each carrying at most `negligible` of full brightness, must stay
+// below max_error together. About as many as this are met on a path through several glasses.
+constexpr double negligible_branches = 16.0;
+
+// A choice between two branches by chance, of probabilities p and 1-p and total weight w, adds
+// w sqrt(p (1-p)) to the standard deviation of a sample. Up to this much is accepted: pixels that
+// take random decisions average many samples. It needs w >= 2 x this to divide a path, so at most
+// 1 / (2 x this) = 10 of the paths alive at one depth, whose weights sum to at most 1, divide
+// there. Paths that do not divide die by roulette below `negligible`, so at most 1 / negligible of
+// them are alive at one depth.
+constexpr double accepted_deviation = 0.05;
+
+double largest(const Rgb& c) { return std::max({c.r, c.g, c.b}); }
+
+Rgb base_colour(const RenderPlan& plan, const ShadingPoint& point, const Material& material) {
+  const PlannedInstance& instance = plan.instances[point.instance];
+  if (!instance.texture) {
+    return material.kd;
+  }
+  const Vec3 p_model = instance.model_from_render.point(point.position);
+  return std::visit([&](const auto& texture) { return colour(texture, p_model); },
+                    *instance.texture);
+}
+
+/// The mirror direction about the shading normal; about the geometric one where the former would
+/// point into the surface.
+Vec3 mirrored(const ShadingPoint& point, const Vec3& direction) {
+  const Vec3 r = rt::reflect(direction, point.shading_normal);
+  return glm::dot(r, point.normal) > 0.0 ? r : rt::reflect(direction, point.normal);
+}
+
+}  // namespace
+
+/// A point where a path goes on, and how.
+struct Tracer::Scatter {
+  const Path& path;
+  const ShadingPoint& point;
+  const PlannedMaterial& material;
+  const Vec3& direction;
+  double n1 = 1.0, n2 = 1.0;  ///< of the media before and behind the surface
+  bool divided = false;       ///< both branches are followed
+};
+
+Tracer::Tracer(const RenderPlan& plan)
+    : plan_(plan), negligible_(plan.options.max_error / negligible_branches) {}
+
+Rgb Tracer::radiance(const TraceRay& camera_ray, double y, const Sampler& sampler,
+                     RayCounts& counts) {
+  sum_ = Rgb(0.0);
+  y_ = y;
+  sampler_ = &sampler;
+  counts_ = &counts;
+  ++counts.camera;
+  open_.push_back({camera_ray, Rgb(1.0), {}, 0});
+  while (!open_.empty()) {
+    const Path path = open_.back();
+    open_.pop_back();
+    follow(path);
+  }
+  return sum_;
+}
+
+void Tracer::follow(const Path& path) {
+  const auto hit = closest_hit(plan_, path.ray);
+  if (!hit) {
+    const Background& b = plan_.options.background;
+    sum_ += path.throughput * glm::mix(b.top, b.bottom, y_);
+    return;
+  }
+  const ShadingPoint point = shading_point(plan_, path.ray, *hit);
+  const PlannedMaterial& material = plan_.materials[plan_.instances[hit->instance].material];
+  const double length = glm::length(path.ray.direction);
+  const Vec3 direction = path.ray.direction / length;
+  Path here = path;
+  if (plan_.absorbs) {
+    const std::uint32_t medium = medium_ahead(plan_, point, -direction);
+    here.throughput *= transmittance(plan_, medium, hit->t * length);
+  }
+  sum_ += here.throughput * surface(here, point, material, direction);
+  if (here.depth < plan_.options.max_depth) {
+    scatter(here, point, material, direction);
+  }
+}
+
+Rgb Tracer::surface(const Path& path, const ShadingPoint& point, const PlannedMaterial& material,
+                    const Vec3& direction) {
+  const Phong phong{base_colour(plan_, point, material) * material.opacity, material.ks,
+                    material.shininess, material.least_r_dot_v};
+  const double negligible = negligible_light(plan_.options) / largest(path.throughput);
+  Rgb sum = material.emission + phong.kd * plan_.ambient;
+  const auto lights = static_cast<std::uint32_t>(plan_.lights.size());
+  for (std::uint32_t i = 0; i < lights; ++i) {
+    const Vertex vertex{path.vertex.order, path.vertex.copy * lights + i};
+    sum +=
+        direct_light(plan_, i, phong, point, -direction, *sampler_, vertex, negligible, *counts_);
+  }
+  return sum;
+}
+
+void Tracer::scatter(const Path& path, const ShadingPoint& point, const PlannedMaterial& material,
+                     const Vec3& direction) {
+  Scatter at{path, point, material, direction};
+  if (!material.transmissive) {
+    if (plan_.options.reflection) {
+      reflect(at, path.throughput * material.reflectivity);
+    }
+    return;
+  }
+  const Media media = media_about(plan_, point, direction);
+  at.n1 = index_of(plan_, media.before);
+  at.n2 = index_of(plan_, media.behind);
+  const double cos_i = std::min(1.0, std::abs(glm::dot(direction, point.shading_normal)));
+  const double f = fresnel(cos_i, at.n1, at.n2);
+  divide(at, plan_.options.reflection ? f : 0.0, (1.0 - material.opacity) * (1.0 - f));
+}
+
+void Tracer::divide(const Scatter& at, double reflected, double transmitted) {
+  const Rgb& throughput = at.path.throughput;
+  const double total = reflected + transmitted;
+  const double p = total > 0.0 ? reflected / total : 0.0;
+  const double deviation = largest(throughput) * total * std::sqrt(p * (1.0 - p));
+  if (!plan_.random || deviation > accepted_deviation || p == 0.0 || p == 1.0) {
+    Scatter both = at;
+    both.divided = reflected > 0.0 && transmitted > 0.0;
+    transmit(both, throughput * transmitted);
+    reflect(both, throughput * reflected);
+  } else if (sampler_->lobe_choice(at.path.vertex) < p) {
+    reflect(at, throughput * total);
+  } else {
+    transmit(at, throughput * total);
+  }
+}
+
+void Tracer::reflect(const Scatter& at, const Rgb& throughput) {
+  if (!(largest(throughput) > 0.0)) {
+    return;
+  }
+  const Vec3 mirror = mirrored(at.point, at.direction);
+  if (!at.material.lobe) {
+    add(at, mirror, throughput, false);
+    return;
+  }
+  const auto s = at.material.lobe->sample(sampler_->lobe(at.path.vertex), mirror, at.point.normal);
+  add(at, s.direction, throughput * s.weight, true);
+}
+
+void Tracer::transmit(const Scatter& at, const Rgb& throughput) {
+  if (!(largest(throughput) > 0.0)) {
+    return;
+  }
+  const auto through = refract(at.direction, at.point.shading_normal, at.n1, at.n2);
+  if (!through) {
+    return;
+  }
+  // On meshes a shading normal may send the ray back out; then the geometric one decides.
+  const Vec3 ahead =
+      glm::dot(*through, at.point.normal) < 0.0
+          ? *through
+          : refract(at.direction, at.point.normal, at.n1, at.n2).value_or(at.direction);
+  if (!at.material.lobe) {
+    add(at, ahead, throughput, false);
+    return;
+  }
+  const auto s = at.material.lobe->sample(sampler_->lobe(at.path.vertex), ahead, -at.point.normal);
+  add(at, s.direction, throughput * s.weight, true);
+}
+
+void Tracer::add(const Scatter& at, const Vec3& direction, const Rgb& throughput, bool drawn) {
+  Path next{leave(at.point, direction), throughput, at.path.vertex, at.path.depth + 1};
+  const bool outward = glm::dot(direction, at.point.normal) > 0.0;
+  if (at.divided) {
+    // Branches are told apart as the nodes of a binary tree; they wrap harmlessly far down.
+    next.vertex.copy = 2 * next.vertex.copy + (outward ? 2 : 1);
+  }
+  if (drawn) {
+    ++next.vertex.order;
+  }
+  const double weight = largest(throughput);
+  if (weight < negligible_) {
+    if (!plan_.random) {
+      return;
+    }
+    // Roulette: the survivors carry the weight of the others.
+    const Vertex roulette{at.path.vertex.order, ~next.vertex.copy};
+    if (sampler_->lobe_choice(roulette) * negligible_ >= weight) {
+      return;
+    }
+    next.throughput *= negligible_ / weight;
+  }
+  ++(outward ? counts_->reflection : counts_->refraction);
+  open_.push_back(next);
+}
+
+}  // namespace rt
