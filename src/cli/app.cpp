@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <iterator>
@@ -15,6 +16,7 @@
 #include "rt/io/obj.h"
 #include "rt/lua/script.h"
 #include "rt/render/plan.h"
+#include "rt/render/scene_warnings.h"
 #include "rt/render/threads.h"
 
 namespace rt::cli {
@@ -113,9 +115,11 @@ class Session {
     report.phases.trace_cpu = result.statistics.cpu_seconds;
     report.phases.trace = watch_.lap();
     report.statistics = result.statistics;
+    const std::vector<std::string> warnings = scene_warnings(job, plan, result.film);
     io::write_image(path, {result.film.width, result.film.height, std::move(result.film.pixels)},
                     job.options.encoding, metadata(job.options));
     report.phases.write = watch_.lap();
+    std::ranges::for_each(warnings, warn);
     tell(report);
     reports_.push_back(std::move(report));
   }
