@@ -112,6 +112,7 @@ class Session {
     report.phases.trace_cpu = result.statistics.cpu_seconds;
     report.phases.trace = watch_.lap();
     report.statistics = result.statistics;
+    report.reached = result.reached;
     io::write_image(path, {result.film.width, result.film.height, std::move(result.film.pixels)},
                     job.options.encoding, metadata(job.options));
     report.phases.write = watch_.lap();
