@@ -4,8 +4,8 @@
 
 #include "convex.h"
 #include "longitude.h"
-#include "recentre.h"
 #include "rt/math/rounding.h"
+#include "wide.h"
 
 namespace rt {
 namespace {
@@ -21,12 +21,15 @@ constexpr double base = -1;
 constexpr double base_radius = (apex - base) / 5;
 
 /// Where a line is inside the unit ball.
-void clip_ball(Chord& chord, const Vec3& o, const Vec3& d, double direction_squared) {
-  // o is the line's point nearest to the centre, up to rounding.
-  const double middle = -glm::dot(o, d) / direction_squared;
-  const double half = std::sqrt((1 - glm::dot(o, o)) / direction_squared);
+void clip_ball(Chord& chord, const Ray& ray, const Recentred& line, double direction_squared) {
+  double square = 1 - glm::dot(line.origin, line.origin);
+  if (std::abs(square) <= gamma(12)) {  // recentring, squares and sums: rounding decides
+    const WidePoint p = wide_point(ray, line, 0);
+    square = static_cast<double>(1 - squared(p.x) - squared(p.y) - squared(p.z));
+  }
+  const double half = std::sqrt(square / direction_squared);
   if (half >= 0) {
-    chord.clip(middle - half, head_feature, middle + half, head_feature);
+    chord.clip(-half, head_feature, half, head_feature);
   } else {
     chord.t_out = -infinity;
   }
@@ -36,22 +39,45 @@ void clip_ball(Chord& chord, const Vec3& o, const Vec3& d, double direction_squa
 /// x^2 + z^2 - ((apex - y) / 5)^2.
 struct ConeQuadratic {
   double a, b, c;
+  double noise;  ///< bounds the rounding error of b^2 - a c, of whose terms some cancel
 
   ConeQuadratic(const Vec3& o, const Vec3& d) {
     const double width = (apex - o.y) / 5;
     const double growth = -d.y / 5;
-    a = d.x * d.x + d.z * d.z - growth * growth;
-    b = o.x * d.x + o.z * d.z - width * growth;
-    c = o.x * o.x + o.z * o.z - width * width;
+    const double across = d.x * d.x + d.z * d.z;
+    const double radius = o.x * o.x + o.z * o.z;
+    const double along = o.x * d.x + o.z * d.z;
+    a = across - growth * growth;
+    b = along - width * growth;
+    c = radius - width * width;
+    // Each of the three: two products, one or two factors rounded before, two sums. Twice, for the
+    // recentring before.
+    const double b_terms = std::abs(o.x * d.x) + std::abs(o.z * d.z) + std::abs(width * growth);
+    noise = 2 * gamma(6) *
+            (2 * std::abs(b) * b_terms + std::abs(a) * (radius + width * width) +
+             std::abs(c) * (across + growth * growth));
   }
 };
 
+/// The quadratic's discriminant. For a line flatter than the slope it is -a times the value at the
+/// vertex -b / a, which decides tangency; where rounding would, that value is computed in twice the
+/// digits. A steeper line always crosses twice (at the apex' height it is not inside).
+double discriminant(const ConeQuadratic& q, const Ray& ray, const Recentred& line) {
+  const double value = difference_of_products(q.b, q.b, q.a, q.c);
+  if (!(q.a > 0 && std::abs(value) <= q.noise)) {
+    return q.a < 0 ? std::max(value, 0.0) : value;
+  }
+  const WidePoint p = wide_point(ray, line, -q.b / q.a);
+  const DoubleDouble width = (sqrt(DoubleDouble(26)) - p.y) / 5;
+  return -q.a * static_cast<double>(squared(p.x) + squared(p.z) - squared(width));
+}
+
 /// Where a line is inside the nappe below the apex.
-void clip_cone(Chord& chord, const Vec3& o, const Vec3& d) {
+void clip_cone(Chord& chord, const Ray& ray, const Recentred& line) {
+  const Vec3& o = line.origin;
+  const Vec3& d = ray.direction;
   const ConeQuadratic q(o, d);
-  const double discriminant = difference_of_products(q.b, q.b, q.a, q.c);
-  // A line steeper than the slope always crosses twice: at the apex' height it is not inside.
-  const double root = std::sqrt(q.a < 0 ? std::max(discriminant, 0.0) : discriminant);
+  const double root = std::sqrt(discriminant(q, ray, line));
   if (!(root >= 0)) {
     chord.t_out = -infinity;
     return;
@@ -109,14 +135,14 @@ OptionalHit leave_blob(const Ray& ray, double t_max, std::uint32_t left) {
     head.clip(0, head_feature, -2 * glm::dot(o, d) / direction_squared, head_feature);
   } else {
     const Recentred line = recentred(o, d, direction_squared);
-    clip_ball(head, line.origin, d, direction_squared);
+    clip_ball(head, ray, line, direction_squared);
     head.t_in = line.ray_parameter(head.t_in);
     head.t_out = line.ray_parameter(head.t_out);
   }
   if (left == body_feature) {
     body.clip(0, body_feature, q.a > 0 ? -2 * q.b / q.a : infinity, body_feature);
   } else {
-    clip_cone(body, o, d);
+    clip_cone(body, ray, {o, 0, 0});
   }
   const Chord chord = chord_of(head, body, o, d);
   return exit_hit(chord.empty() ? 0 : chord.t_out, chord.empty() ? left : chord.out, t_max);
@@ -166,8 +192,8 @@ OptionalHit intersect(const Blob& shape, const Ray& ray, double t_max, const Ray
   }
   Chord head;
   Chord body;
-  clip_ball(head, line.origin, ray.direction, direction_squared);
-  clip_cone(body, line.origin, ray.direction);
+  clip_ball(head, ray, line, direction_squared);
+  clip_cone(body, ray, line);
   Chord chord = chord_of(head, body, line.origin, ray.direction);
   if (chord.empty()) {
     return {};

@@ -2,8 +2,8 @@
 
 #include "convex.h"
 #include "longitude.h"
-#include "recentre.h"
 #include "rt/math/rounding.h"
+#include "wide.h"
 
 namespace rt {
 namespace {
@@ -13,16 +13,26 @@ constexpr std::uint32_t bottom_feature = 1;
 constexpr std::uint32_t top_feature = 2;
 
 /// Where a line is inside the infinite cylinder x^2 + z^2 <= 1. `across` = dx^2 + dz^2.
-void clip_side(Chord& chord, const Vec3& o, const Vec3& d, double across) {
+void clip_side(Chord& chord, const Ray& ray, const Recentred& line, double across) {
+  const Vec3& o = line.origin;
+  const Vec3& d = ray.direction;
   if (!(across > 0)) {
-    chord.clip_slab(o.x * o.x + o.z * o.z, 0, 0, side_feature, 1, side_feature);
+    // Parallel to the axis: inside or not, exactly.
+    const DoubleDouble square =
+        squared(DoubleDouble(ray.origin.x)) + squared(DoubleDouble(ray.origin.z));
+    chord.t_out = square <= 1 ? chord.t_out : -infinity;
     return;
   }
   // From the line's point nearest to the axis, so that nothing cancels: see recentre.h.
   const double middle = -(o.x * d.x + o.z * d.z) / across;
   const double x = std::fma(middle, d.x, o.x);
   const double z = std::fma(middle, d.z, o.z);
-  const double half = std::sqrt((1 - (x * x + z * z)) / across);
+  double square = 1 - (x * x + z * z);
+  if (std::abs(square) <= gamma(12)) {  // two recentrings, squares and sums: rounding decides
+    const WidePoint p = wide_point(ray, line, middle);
+    square = static_cast<double>(1 - squared(p.x) - squared(p.z));
+  }
+  const double half = std::sqrt(square / across);
   if (half >= 0) {
     chord.clip(middle - half, side_feature, middle + half, side_feature);
   } else {
@@ -40,7 +50,7 @@ OptionalHit leave_cylinder(const Ray& ray, double t_max, std::uint32_t left) {
     // One root is 0 exactly, so the other is the negative linear term.
     chord.clip(-infinity, 0, -2 * (o.x * d.x + o.z * d.z) / across, side_feature);
   } else if (left != side_feature) {
-    clip_side(chord, o, d, across);
+    clip_side(chord, ray, {o, 0, 0}, across);
   }
   if (d.y != 0) {
     chord.clip(-infinity, 0, ((d.y > 0 ? 1 : 0) - o.y) / d.y,
@@ -86,7 +96,7 @@ OptionalHit intersect(const Cylinder& shape, const Ray& ray, double t_max, const
   const Vec3& d = ray.direction;
   const Recentred line = recentred(ray.origin, d, direction_squared);
   Chord chord;
-  clip_side(chord, line.origin, d, d.x * d.x + d.z * d.z);
+  clip_side(chord, ray, line, d.x * d.x + d.z * d.z);
   chord.clip_slab(line.origin.y, d.y, 0, bottom_feature, 1, top_feature);
   if (chord.empty()) {
     return {};

@@ -10,7 +10,8 @@ namespace {
 /// A vertex as the ray sees it: its offset from the ray in two coordinates across (scaled by the
 /// direction's main component), and its distance from the origin along the main axis.
 struct Seen {
-  double x, y, depth;
+  double x, y;
+  DoublePair depth;
 };
 
 /// The ray's view (Woop, Benthin & Wald 2013, "Watertight ray/triangle intersection"). In place of
@@ -28,9 +29,9 @@ class View {
 
   Seen operator()(const Vec3& vertex) const {
     const DoublePair depth = exact_difference(vertex[z_], ray_.origin[z_]);
-    return {across(vertex, x_, depth), across(vertex, y_, depth), depth.high};
+    return {across(vertex, x_, depth), across(vertex, y_, depth), depth};
   }
-  double main_direction() const { return ray_.direction[z_]; }
+  double main_part(const Vec3& v) const { return v[z_]; }
 
  private:
   double across(const Vec3& vertex, int i, const DoublePair& depth) const {
@@ -109,10 +110,11 @@ OptionalHit intersect_triangle(const MeshData& mesh, std::uint32_t triangle, con
   if (!(sum != 0)) {
     return {};  // edge-on, or NaN
   }
-  // A mean with positive weights: t's error is a few u of the distances, and of the triangle's
-  // size.
-  const double depth = (u * sa.depth + v * sb.depth + w * sc.depth) / sum;
-  const OptionalHit hit = hit_in_range(depth / view.main_direction(), triangle, t_max);
+  // The corners' mean depth with positive weights, as the first corner's and a correction of the
+  // triangle's own size: from afar it is rounded once.
+  const double beyond = (v * view.main_part(b - a) + w * view.main_part(c - a)) / sum;
+  const double depth = sa.depth.high + (sa.depth.low + beyond);
+  const OptionalHit hit = hit_in_range(depth / view.main_part(ray.direction), triangle, t_max);
   if (hit && start.position_error > 0 && coincident(a, b, c, ray.origin, start.position_error)) {
     return {};
   }

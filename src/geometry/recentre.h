@@ -23,9 +23,10 @@ struct Recentred {
 /// `direction_squared` = dot(direction, direction). Two steps: the first leaves origin.direction of
 /// the order of u |ray origin| |direction|, the second of u |origin| |direction|.
 inline Recentred recentred(const Vec3& origin, const Vec3& direction, double direction_squared) {
-  const double shift = -glm::dot(origin, direction) / direction_squared;
+  const double scale = -1 / direction_squared;
+  const double shift = glm::dot(origin, direction) * scale;
   const Vec3 near = fused_at(origin, direction, shift);
-  const double residual = -glm::dot(near, direction) / direction_squared;
+  const double residual = glm::dot(near, direction) * scale;
   return {fused_at(near, direction, residual), shift, residual};
 }
 

@@ -2,8 +2,8 @@
 
 #include "convex.h"
 #include "longitude.h"
-#include "recentre.h"
 #include "rt/math/rounding.h"
+#include "wide.h"
 
 namespace rt {
 namespace {
@@ -22,6 +22,23 @@ FromCentre from_centre(const Sphere& shape, const Ray& ray) {
     out.lost[i] = d.low;
   }
   return out;
+}
+
+/// r^2 - h^2, with h the distance of line and centre: half the chord squared, times the
+/// direction's. Rounding moves h^2 by at most gamma(6) r^2 around tangency; what is nearer to zero
+/// than that is computed again in twice the digits.
+double half_chord_squared(const Sphere& shape, const Ray& ray, const Recentred& line) {
+  const double square = shape.radius * shape.radius;
+  const double chord = square - glm::dot(line.origin, line.origin);
+  if (!(std::abs(chord) <= 2 * gamma(6) * square)) {
+    return chord;
+  }
+  const DoubleDouble t = DoubleDouble(line.shift) + line.residual;
+  DoubleDouble wide = squared(DoubleDouble(shape.radius));
+  for (int i = 0; i < 3; ++i) {
+    wide += -squared(DoubleDouble(ray.origin[i]) - shape.centre[i] + t * ray.direction[i]);
+  }
+  return static_cast<double>(wide);
 }
 
 /// The side to which the ray leaves the sphere if its origin lies on it within `error`.
@@ -52,9 +69,7 @@ OptionalHit intersect(const Sphere& shape, const Ray& ray, double t_max, const R
   }
   Recentred line = recentred(from.origin, direction, direction_squared);
   line.origin += from.lost;
-  // Half the chord, squared: r^2 - h^2 with h the distance of line and centre, of which each
-  // rounding is relative to r^2. That decides tangency to a few u r.
-  const double chord = shape.radius * shape.radius - glm::dot(line.origin, line.origin);
+  const double chord = half_chord_squared(shape, ray, line);
   if (!(chord >= 0)) {
     return {};
   }

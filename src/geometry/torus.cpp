@@ -5,7 +5,8 @@
 
 #include "convex.h"
 #include "first_crossing.h"
-#include "recentre.h"
+#include "longitude.h"
+#include "rt/math/rounding.h"
 #include "torus_form.h"
 
 namespace rt {
@@ -18,6 +19,7 @@ struct Quartic {
 
   double operator()(double s) const { return ((s * s + c2) * s + c1) * s + c0; }
   double slope(double s) const { return (4 * s * s + 2 * c2) * s + c1; }
+  double curvature(double s) const { return 12 * s * s + 2 * c2; }
 };
 
 Quartic quartic_of(const Torus& torus, const Vec3& o, const Vec3& d) {
@@ -36,6 +38,7 @@ struct Cubic {
 
   double operator()(double s) const { return ((s + c2) * s + c1) * s + c0; }
   double slope(double s) const { return (3 * s + 2 * c2) * s + c1; }
+  double curvature(double s) const { return 6 * s + 2 * c2; }
 };
 
 Cubic cubic_of(const Torus& torus, const Vec3& o, const Vec3& d) {
@@ -58,19 +61,25 @@ Cubic cubic_of(const Torus& torus, const Vec3& o, const Vec3& d) {
 /// all terms never comes near all its bounds at once.
 constexpr double polynomial_noise = 64 * 2 * unit_roundoff;
 
-/// Newton stops at steps below this part of the size; the finish on the geometric form is of third
-/// order, so one step from here is exact to rounding.
-constexpr double coarse_step = 0x1p-18;
+/// The polynomial's iteration stops at steps below this. What it leaves is of the order of the
+/// step's square, and the finish on the geometric form, of third order over distances below the
+/// tube's radius, takes that to rounding in one step. Where the hole is narrow or closed the torus
+/// has features much smaller than that radius (a spindle's tips, where two sheets meet): there the
+/// polynomial is followed down to rounding, so that the finish cannot stray to another root.
+double coarse_step(const Torus& torus) {
+  const double r = torus.minor_radius;
+  return (r <= 0.5 * torus.major_radius ? 0x1p-8 : 0x1p-26) * r;
+}
 
 double size_of(const Torus& torus) { return torus.major_radius + torus.minor_radius; }
 
 /// The next crossing of a ray that starts on the torus, at u > 0 with the direction's length one.
 /// The crossing at 0 is divided out, and the side to which the ray leaves decides the sign.
-std::optional<double> next_crossing(const Torus& torus, const Vec3& o, const Vec3& d,
-                                    Leaving side) {
-  const double size = size_of(torus);
+std::optional<double> next_crossing(const TorusLine& line, Leaving side) {
+  const Torus& torus = line.torus;
+  const double size = line.size();
   const double sign = side == Leaving::outward ? 1 : -1;
-  Cubic cubic = cubic_of(torus, o, d);
+  Cubic cubic = cubic_of(torus, line.ray.origin, line.direction);
   cubic.c0 = sign * std::max(sign * cubic.c0, 0.0);
   const double end = 2.5 * size;  // a chord is no longer than 2 (R + r)
   // Up to a tube's radius away from the start the cubic is as good as the geometric form, and
@@ -86,11 +95,12 @@ std::optional<double> next_crossing(const Torus& torus, const Vec3& o, const Vec
       continue;
     }
     const bool close = piece.end <= near;
-    const double noise = close ? 0 : polynomial_noise * size * size * size;
-    const double resolution = close ? 0 : coarse_step * size;
-    std::optional<double> s = first_crossing(cubic, piece, sign, noise, resolution);
+    const Accuracy accuracy =
+        close ? Accuracy{0, 0}
+              : Accuracy{polynomial_noise * size * size * size, coarse_step(torus)};
+    std::optional<double> s = first_crossing(cubic, piece, sign, accuracy);
     if (s && !close) {
-      s = finish_root(torus, o, d, *s, sign, piece.begin);
+      s = finish_root(line, *s, sign, piece.begin);
     }
     if (s) {
       return s;
@@ -101,7 +111,8 @@ std::optional<double> next_crossing(const Torus& torus, const Vec3& o, const Vec
 
 OptionalHit leave_torus(const Torus& torus, const Ray& ray, double t_max, Leaving side) {
   const double length = glm::length(ray.direction);
-  const std::optional<double> u = next_crossing(torus, ray.origin, ray.direction / length, side);
+  const std::optional<double> u =
+      next_crossing({torus, ray, {ray.origin, 0, 0}, ray.direction / length, length}, side);
   if (side == Leaving::inward) {
     return exit_hit(u ? *u / length : 0, 0, t_max);
   }
@@ -150,24 +161,23 @@ Chord clip_to_bounds(const Torus& torus, const Vec3& o, const Vec3& d) {
 }
 
 /// The first crossing within the chord; `sign` is the quartic's sign at its beginning.
-std::optional<double> first_root(const Torus& torus, const Vec3& o, const Vec3& d,
-                                 const Chord& chord, double sign) {
-  const double size = size_of(torus);
-  const Quartic quartic = quartic_of(torus, o, d);
+std::optional<double> first_root(const TorusLine& line, const Chord& chord, double sign) {
+  const double size = line.size();
+  const Quartic quartic = quartic_of(line.torus, line.line.origin, line.direction);
   // Convex but for the stretch between the inflections, if there are any.
   const double turn = quartic.c2 < 0 ? std::sqrt(-quartic.c2 / 6) : 0;
   const double left = std::clamp(-turn, chord.t_in, chord.t_out);
   const double right = std::clamp(turn, chord.t_in, chord.t_out);
   const std::array<Piece, 3> pieces{Piece{chord.t_in, left, true}, Piece{left, right, false},
                                     Piece{right, chord.t_out, true}};
-  const double noise = polynomial_noise * size * size * size * size;
+  const Accuracy accuracy{polynomial_noise * size * size * size * size, coarse_step(line.torus)};
   for (const Piece& piece : pieces) {
     if (!(piece.begin < piece.end)) {
       continue;
     }
-    std::optional<double> s = first_crossing(quartic, piece, sign, noise, coarse_step * size);
+    std::optional<double> s = first_crossing(quartic, piece, sign, accuracy);
     if (s) {
-      s = finish_root(torus, o, d, *s, sign, chord.t_in);
+      s = finish_root(line, *s, sign, chord.t_in);
     }
     if (s) {
       return s;
@@ -188,7 +198,7 @@ OptionalHit intersect(const Torus& shape, const Ray& ray, double t_max, const Ra
   }
   const Recentred line = recentred(ray.origin, ray.direction, direction_squared);
   const double length = std::sqrt(direction_squared);
-  const Vec3 d = ray.direction / length;
+  const Vec3 d = ray.direction * (1 / length);
   Chord chord = clip_to_bounds(shape, line.origin, d);
   const double begin = line.local_parameter(0) * length;
   if (!(begin <= chord.t_out && chord.t_in <= chord.t_out)) {
@@ -206,7 +216,7 @@ OptionalHit intersect(const Torus& shape, const Ray& ray, double t_max, const Ra
     sign = inside(shape, ray.origin) ? -1 : 1;
   }
   chord.t_out = std::min(chord.t_out, line.local_parameter(t_max) * length);
-  const std::optional<double> s = first_root(shape, line.origin, d, chord, sign);
+  const std::optional<double> s = first_root({shape, ray, line, d, length}, chord, sign);
   if (!s) {
     return {};
   }

@@ -2,9 +2,8 @@
 #include <cmath>
 #include <optional>
 
-#include "longitude.h"
+#include "recentre.h"
 #include "rt/geometry/torus.h"
-#include "rt/math/rounding.h"
 
 namespace rt {
 
@@ -26,26 +25,22 @@ inline double sheet_at(const Torus& torus, double rho, double y) {
   return std::abs(factor(torus, rho, y, 1)) <= std::abs(factor(torus, rho, y, -1)) ? 1 : -1;
 }
 
-/// A factor along the line origin + s * direction, with its first two derivatives.
-struct FactorJet {
-  double value, slope, curvature;
-};
+/// A line that may meet a torus: origin + s * direction, direction of unit length. The origin is
+/// that of `line`, or the ray's own with a `line` that says so.
+struct TorusLine {
+  const Torus& torus;
+  const Ray& ray;
+  Recentred line;
+  Vec3 direction;
+  double length;  ///< of ray.direction
 
-inline FactorJet factor_jet(const Torus& torus, const Vec3& p, const Vec3& d, double sheet) {
-  const double rho = std::sqrt(p.x * p.x + p.z * p.z);
-  const double w = rho - sheet * torus.major_radius;
-  const double inverse = rho > 0 ? 1 / rho : 0;
-  const double rho_slope = (p.x * d.x + p.z * d.z) * inverse;
-  const double turn = (p.x * d.z - p.z * d.x) * inverse;
-  const double r = torus.minor_radius;
-  return {w * w + (p.y - r) * (p.y + r), 2 * (w * rho_slope + p.y * d.y),
-          2 * (rho_slope * rho_slope + w * turn * turn * inverse + d.y * d.y)};
-}
+  double size() const { return torus.major_radius + torus.minor_radius; }
+  Vec3 at(double s) const { return fused_at(line.origin, direction, s); }
+};
 
 /// Finishes a root on the torus' own form. `s` lies near a root or near an extremum that is zero to
 /// within the quartic's rounding error; `sign` is the quartic's sign just before it, `begin` where
 /// that sign is known. Returns the crossing, or nothing when the line only comes near the surface.
-std::optional<double> finish_root(const Torus& torus, const Vec3& origin, const Vec3& direction,
-                                  double s, double sign, double begin);
+std::optional<double> finish_root(const TorusLine& line, double s, double sign, double begin);
 
 }  // namespace rt

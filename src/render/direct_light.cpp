@@ -54,7 +54,7 @@ LightSample sample_light(const Light& light, const Vec3& p, const Sampler& sampl
   }
   const Vec3 to_light = light.position - p;
   const double distance = glm::length(to_light);
-  return {to_light / distance, distance};
+  return {to_light * (1.0 / distance), distance};
 }
 
 /// kd (n.l) + ks (r.v)^shininess, where the light stands above the surface.
@@ -76,23 +76,22 @@ Rgb reflected(const Phong& phong, const ShadingPoint& point, const Vec3& view, c
 
 }  // namespace
 
-Rgb visibility(const RenderPlan& plan, const ShadingPoint& from, const Vec3& way, double t_max,
+Rgb visibility(const RenderPlan& plan, const ShadingPoint& from, const Vec3& way, double reach,
                RayCounts& counts) {
   ++counts.shadow;
-  if (occluded(plan, leave(from, way), t_max)) {
+  if (occluded(plan, leave(from, way), reach)) {
     return Rgb(0.0);
   }
   Rgb share(1.0);
   if (!plan.dims) {
     return share;
   }
-  const double length = glm::length(way);
   ShadingPoint at = from;
-  for (double rest = t_max; !is_black(share);) {
+  for (double rest = reach; !is_black(share);) {
     const TraceRay ray = leave(at, way);
     const auto hit = closest_dimming_hit(plan, ray, rest);
     if (plan.absorbs) {
-      share *= transmittance(plan, medium_ahead(plan, at, way), (hit ? hit->t : rest) * length);
+      share *= transmittance(plan, medium_ahead(plan, at, way), hit ? hit->t : rest);
     }
     if (!hit) {
       break;
@@ -119,9 +118,8 @@ Rgb direct_light(const RenderPlan& plan, std::size_t index, const Phong& phong,
     return value;
   }
   // A surface through the light, as far as rounding can tell, does not shadow it.
-  const double t_max =
-      1.0 - (point.position_error + gamma(4) * max_abs(light.position)) / s.distance;
-  return value * visibility(plan, point, s.direction * s.distance, t_max, counts);
+  const double reach = s.distance - (point.position_error + gamma(4) * max_abs(light.position));
+  return value * visibility(plan, point, s.direction, reach, counts);
 }
 
 }  // namespace rt

@@ -64,16 +64,18 @@ Rgb Tracer::radiance(const TraceRay& camera_ray, double y, const Sampler& sample
   sampler_ = &sampler;
   counts_ = &counts;
   ++counts.camera;
+  // From here on all directions have unit length.
   open_.push_back({camera_ray, Rgb(1.0), {}, 0});
+  open_.back().ray.direction *= 1.0 / glm::length(camera_ray.direction);
   while (!open_.empty()) {
-    const Path path = open_.back();
+    Path path = open_.back();
     open_.pop_back();
     follow(path);
   }
   return sum_;
 }
 
-void Tracer::follow(const Path& path) {
+void Tracer::follow(Path& path) {
   const auto hit = closest_hit(plan_, path.ray);
   if (!hit) {
     const Background& b = plan_.options.background;
@@ -82,16 +84,14 @@ void Tracer::follow(const Path& path) {
   }
   const ShadingPoint point = shading_point(plan_, path.ray, *hit);
   const PlannedMaterial& material = plan_.materials[plan_.instances[hit->instance].material];
-  const double length = glm::length(path.ray.direction);
-  const Vec3 direction = path.ray.direction / length;
-  Path here = path;
+  const Vec3& direction = path.ray.direction;
   if (plan_.absorbs) {
     const std::uint32_t medium = medium_ahead(plan_, point, -direction);
-    here.throughput *= transmittance(plan_, medium, hit->t * length);
+    path.throughput *= transmittance(plan_, medium, hit->t);
   }
-  sum_ += here.throughput * surface(here, point, material, direction);
-  if (here.depth < plan_.options.max_depth) {
-    scatter(here, point, material, direction);
+  sum_ += path.throughput * surface(path, point, material, direction);
+  if (path.depth < plan_.options.max_depth) {
+    scatter(path, point, material, direction);
   }
 }
 

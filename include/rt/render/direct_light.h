@@ -20,9 +20,9 @@ Rgb direct_light(const RenderPlan& plan, std::size_t index, const Phong& phong,
                  const ShadingPoint& point, const Vec3& view, const Sampler& sampler,
                  const Vertex& vertex, double negligible, RayCounts& counts);
 
-/// What share of the light arrives at a point from `t_max` times `way` away: 0 behind anything that
-/// blocks, less than 1 behind what dims.
-Rgb visibility(const RenderPlan& plan, const ShadingPoint& from, const Vec3& way, double t_max,
+/// What share of the light arrives at a point from `reach` away in direction `way` (unit): 0 behind
+/// anything that blocks, less than 1 behind what dims.
+Rgb visibility(const RenderPlan& plan, const ShadingPoint& from, const Vec3& way, double reach,
                RayCounts& counts);
 
 }  // namespace rt

@@ -13,7 +13,7 @@ inline constexpr std::uint32_t no_instance = std::numeric_limits<std::uint32_t>:
 /// A ray, and what is known of the surface it starts on.
 struct TraceRay {
   Vec3 origin;
-  Vec3 direction;
+  Vec3 direction;                        ///< unit, so that t is a distance
   std::uint32_t instance = no_instance;  ///< the instance left; none for camera rays
   std::uint32_t feature = 0;
   Leaving leaving = Leaving::nothing;

@@ -36,7 +36,7 @@ class Tracer {
   };
   struct Scatter;
 
-  void follow(const Path& path);
+  void follow(Path& path);
   Rgb surface(const Path& path, const ShadingPoint& point, const PlannedMaterial& material,
               const Vec3& direction);
   void scatter(const Path& path, const ShadingPoint& point, const PlannedMaterial& material,

@@ -63,24 +63,18 @@ BoxList::BoxList(const std::vector<Bounds>& boxes) {
 }
 
 bool BoxList::prepare(const Ray& ray, Prepared& p) const {
-  const double size = max_abs(ray.direction);
-  if (!(size > 0.0)) {
-    return false;
-  }
   Vec3 origin = (ray.origin - centre_) * per_unit_;
-  const double per_size = 1.0 / size;
-  const Vec3 direction = ray.direction * per_size;
   Vec3 inverse;
   for (int k = 0; k < 3; ++k) {
-    inverse[k] = std::abs(direction[k]) * endless > 1.0 ? 1.0 / direction[k]
-                                                        : std::copysign(endless, direction[k]);
+    const double d = ray.direction[k];
+    inverse[k] = std::abs(d) * endless > 1.0 ? 1.0 / d : std::copysign(endless, d);
   }
-  p.per_t = size * per_unit_;
+  p.per_t = per_unit_;
   if (!(max_abs(origin) < reach)) {
     if (!entry_into_cube(origin, inverse, p.entry)) {
       return false;
     }
-    origin += p.entry * direction;
+    origin += p.entry * ray.direction;
   }
   for (std::size_t k = 0; k < 3; ++k) {
     p.origin[k] = static_cast<float>(origin[static_cast<int>(k)]);

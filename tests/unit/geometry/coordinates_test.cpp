@@ -39,7 +39,7 @@ TEST(Coordinates, DerivativesAgreeWithDifferences) {
   check_derivatives(Torus{0.5, 1}, {0.02, 0.01, 0.03}, {1, 0.2, 0.3});  // on the lemon
   check_derivatives(Plane{}, from, {-1, -2, -3});
   check_derivatives(Square{10}, from, {-1, -2, -3});
-  check_derivatives(Cylinder{}, {5, 0.6, 1}, {-1, 0.01, 0});
+  check_derivatives(Cylinder{}, {5, 0.6, 0.5}, {-1, 0.01, 0});
   check_derivatives(Cylinder{}, {0.5, 3, 0.1}, {-0.01, -1, 0.02});
   check_derivatives(Cylinder{}, {0.5, -3, 0.1}, {-0.01, 1, 0.02});
   check_derivatives(Blob{}, {0.5, 3, 0.1}, {-0.01, -1, 0.02});

@@ -22,7 +22,8 @@ class BoxList {
  public:
   explicit BoxList(const std::vector<Bounds>& boxes);
 
-  /// As BoxTree::walk: visit(index) -> new t_max, negative to end.
+  /// As BoxTree::walk: visit(index) -> new t_max, negative to end. The ray's direction is a unit
+  /// vector.
   template <class Visit>
   void walk(const Ray& ray, double t_max, Visit&& visit) const {
     Prepared p;
