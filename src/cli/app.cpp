@@ -116,6 +116,7 @@ class Session {
     report.phases.trace = watch_.lap();
     report.statistics = result.statistics;
     const std::vector<std::string> warnings = scene_warnings(job, plan, result.film);
+    report.reached = result.reached;
     io::write_image(path, {result.film.width, result.film.height, std::move(result.film.pixels)},
                     job.options.encoding, metadata(job.options));
     report.phases.write = watch_.lap();

@@ -96,8 +96,15 @@ void read_size(const Value& value, Draft& draft) {
 
 void read_camera(const Value& value, Draft& draft) {
   static constexpr std::array fields{
-      eye, view, up, fov,
-      Field<Draft>{"look_at", [](const Value& v, Draft& d) { d.look_at = v.triple(); }}};
+      eye,
+      view,
+      up,
+      fov,
+      Field<Draft>{"look_at", [](const Value& v, Draft& d) { d.look_at = v.triple(); }},
+      Field<Draft>{"aperture", [](const Value& v,
+                                  Draft& d) { d.job.camera.aperture = v.number(not_negative); }},
+      Field<Draft>{"focus",
+                   [](const Value& v, Draft& d) { d.job.camera.focus = v.number(positive); }}};
   if (value.type() != LUA_TTABLE) {
     value.fail("a table {eye = ..., look_at = ...}");
   }

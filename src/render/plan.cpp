@@ -69,7 +69,7 @@ class Planner {
     const Vec3 up = glm::cross(right, forward);
     const double half = std::tan(0.5 * camera.fov * std::numbers::pi / 180.0);
     const double aspect = static_cast<double>(options.width) / options.height;
-    return {forward, right * (half * aspect), up * -half};
+    return {forward, right * (half * aspect), up * -half, 0.5 * camera.aperture, camera.focus};
   }
 
   void place(Light light) {

@@ -166,5 +166,23 @@ TEST(Options, MisspellingsFindTheirName) {
   EXPECT_EQ(nearest_name("fog", known), "");
 }
 
+TEST(Options, SamplesAreFixedOnlyWhereTheUserSaysSo) {
+  RenderOptions o;
+  EXPECT_EQ(fixed_samples(o), 0);
+  o.aa = AntiAliasing::corners;
+  EXPECT_EQ(fixed_samples(o), 0);
+  o.adaptive = false;
+  EXPECT_EQ(fixed_samples(o), 0);
+  o.aa = AntiAliasing::adaptive;
+  EXPECT_EQ(fixed_samples(o), 16);
+  o.adaptive = true;
+  o.aa = AntiAliasing::uniform;
+  EXPECT_EQ(fixed_samples(o), 16);
+  o.samples = 5;
+  EXPECT_EQ(fixed_samples(o), 5);
+  o.antialiasing = false;
+  EXPECT_EQ(fixed_samples(o), 1);
+}
+
 }  // namespace
 }  // namespace rt
