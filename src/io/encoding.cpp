@@ -43,10 +43,6 @@ struct SrgbTable {
 
 }  // namespace
 
-double srgb_oetf(double linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-}
-
 std::uint8_t encode8(float linear, Encoding encoding) {
   static const SrgbTable srgb;
   if (!(linear > 0.0F)) {  // NaN too

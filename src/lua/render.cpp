@@ -96,8 +96,15 @@ void read_size(const Value& value, Draft& draft) {
 
 void read_camera(const Value& value, Draft& draft) {
   static constexpr std::array fields{
-      eye, view, up, fov,
-      Field<Draft>{"look_at", [](const Value& v, Draft& d) { d.look_at = v.triple(); }}};
+      eye,
+      view,
+      up,
+      fov,
+      Field<Draft>{"look_at", [](const Value& v, Draft& d) { d.look_at = v.triple(); }},
+      Field<Draft>{"aperture", [](const Value& v,
+                                  Draft& d) { d.job.camera.aperture = v.number(not_negative); }},
+      Field<Draft>{"focus",
+                   [](const Value& v, Draft& d) { d.job.camera.focus = v.number(positive); }}};
   if (value.type() != LUA_TTABLE) {
     value.fail("a table {eye = ..., look_at = ...}");
   }
@@ -207,13 +214,15 @@ int render(Call& call) {
   }
   check(draft.job.camera);
 
-  Flattened flat = flatten(*draft.scene);
+  Flattened flat = flatten(*draft.scene, call.run().memory->left() / instance_bytes);
   for (const std::string& warning : flat.warnings) {
     warn_once(call.L, warning, warning);
   }
   draft.job.instances = std::move(flat.instances);
   draft.job.where = location(call.L);
   if (call.run().host.render) {
+    call.run().rendered = true;
+    const Guard::Pause pause(call.run().guard);
     call.run().host.render(std::move(draft.job));
   }
   return 0;

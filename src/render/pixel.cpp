@@ -1,33 +1,90 @@
 #include "rt/render/pixel.h"
 
-#include "rt/math/sampler.h"
-
 namespace rt {
+namespace {
 
-Rgb render_pixel(Tracer& tracer, int x, int y, RenderStatistics& statistics) {
-  const RenderPlan& plan = tracer.plan();
-  const RenderOptions& options = plan.options;
-  const int count = options.antialiasing ? options.samples : 1;
-  const Sampler sampler(options.seed, x, y, 0);
+constexpr double corner_tolerance = 0.1;
+
+bool differ(const Rgb& a, const Rgb& b) {
+  // What is brighter than the screen can show looks the same.
+  return max_abs(glm::min(a, Rgb(1.0)) - glm::min(b, Rgb(1.0))) > corner_tolerance;
+}
+
+}  // namespace
+
+Rgb uniform_pixel(PixelSampler& sampler, int x, int y, int count, RenderStatistics& statistics) {
+  const Sampler pixel(sampler.plan().options.seed, x, y, 0);
   Rgb sum(0.0);
   int good = 0;
   for (int i = 0; i < count; ++i) {
-    const Sampler sample = sampler.at(static_cast<std::uint32_t>(i));
-    const Vec2 offset = count == 1 ? Vec2(0.5) : sample.pixel();
-    const double px = (x + offset.x) / options.width;
-    const double py = (y + offset.y) / options.height;
-    const TraceRay ray{Vec3(0.0), plan.camera.direction(px, py)};
-    const Rgb value = tracer.radiance(ray, py, sample, statistics.rays);
-    if (all_finite(value)) {
-      sum += value;
+    const Sampler sample = pixel.at(static_cast<std::uint32_t>(i));
+    const auto value = count == 1 ? sampler.take_at(x, y, Vec2(0.5), sample, statistics)
+                                  : sampler.take(x, y, sample, statistics);
+    if (value) {
+      sum += *value;
       ++good;
-    } else if (statistics.bad_samples++ == 0) {
-      statistics.first_bad_x = x;
-      statistics.first_bad_y = y;
     }
   }
-  statistics.samples += static_cast<std::uint64_t>(count);
   return good > 0 ? sum / static_cast<double>(good) : Rgb(0.0);
+}
+
+CornerTile::CornerTile(PixelSampler& sampler, const Crop& tile, RenderStatistics& statistics)
+    : sampler_(sampler),
+      tile_(tile),
+      statistics_(statistics),
+      inside_((edge + 1) * (edge + 1)),
+      taken_(inside_.size()) {
+  grid_.reserve(static_cast<std::size_t>(tile.width + 1) *
+                static_cast<std::size_t>(tile.height + 1));
+  for (int y = tile.y; y <= tile.y + tile.height; ++y) {
+    for (int x = tile.x; x <= tile.x + tile.width; ++x) {
+      grid_.push_back(traced(x, y, 0, 0));
+    }
+  }
+}
+
+Rgb CornerTile::value(int x, int y) {
+  x_ = x;
+  y_ = y;
+  ++pixel_;
+  return square(0, 0, edge);
+}
+
+Rgb CornerTile::traced(int x, int y, int i, int j) {
+  const Vec2 offset{i / double{edge}, j / double{edge}};
+  const Sampler sample(sampler_.plan().options.seed, x, y,
+                       static_cast<std::uint32_t>(j * edge + i));
+  return sampler_.take_at(x, y, offset, sample, statistics_).value_or(Rgb(0.0));
+}
+
+Rgb CornerTile::corner(int i, int j) {
+  if (i % edge == 0 && j % edge == 0) {
+    const int column = x_ - tile_.x + i / edge;
+    const int row = y_ - tile_.y + j / edge;
+    return grid_[static_cast<std::size_t>(row * (tile_.width + 1) + column)];
+  }
+  const auto slot = static_cast<std::size_t>(j * (edge + 1) + i);
+  if (taken_[slot] != pixel_) {
+    taken_[slot] = pixel_;
+    // What lies on the right or lower edge is the neighbour's, with the neighbour's random numbers.
+    inside_[slot] = traced(x_ + i / edge, y_ + j / edge, i % edge, j % edge);
+  }
+  return inside_[slot];
+}
+
+Rgb CornerTile::square(int i, int j, int size) {
+  const Rgb a = corner(i, j);
+  const Rgb b = corner(i + size, j);
+  const Rgb c = corner(i, j + size);
+  const Rgb d = corner(i + size, j + size);
+  const bool uneven =
+      differ(a, b) || differ(a, c) || differ(a, d) || differ(b, c) || differ(b, d) || differ(c, d);
+  if (size == 1 || !uneven) {
+    return 0.25 * (a + b + c + d);
+  }
+  const int half = size / 2;
+  return 0.25 * (square(i, j, half) + square(i + half, j, half) + square(i, j + half, half) +
+                 square(i + half, j + half, half));
 }
 
 }  // namespace rt

@@ -12,7 +12,7 @@ namespace rt {
 namespace {
 
 // Up to so many boxes a list is faster than a hierarchy (bench/NOTES.md).
-constexpr std::size_t few = 48;
+constexpr std::size_t few = 96;
 
 enum class Candidates { one_by_one, list, tree };
 
@@ -20,7 +20,10 @@ Candidates candidates_for(const RenderOptions& options, std::size_t boxes) {
   if (!options.acceleration || options.accel == AccelChoice::none || boxes == 0) {
     return Candidates::one_by_one;
   }
-  return options.accel == AccelChoice::bvh || boxes > few ? Candidates::tree : Candidates::list;
+  if (options.accel == AccelChoice::automatic) {
+    return boxes > few ? Candidates::tree : Candidates::list;
+  }
+  return options.accel == AccelChoice::bvh ? Candidates::tree : Candidates::list;
 }
 
 class Planner {
@@ -66,7 +69,7 @@ class Planner {
     const Vec3 up = glm::cross(right, forward);
     const double half = std::tan(0.5 * camera.fov * std::numbers::pi / 180.0);
     const double aspect = static_cast<double>(options.width) / options.height;
-    return {forward, right * (half * aspect), up * -half};
+    return {forward, right * (half * aspect), up * -half, 0.5 * camera.aperture, camera.focus};
   }
 
   void place(Light light) {

@@ -9,8 +9,9 @@
 namespace rt {
 namespace {
 
-// Two t of one ray that differ by less than this, relatively, are the same crossing: t carries the
-// rounding of some 16 operations, amplified by 1 / |cos| of the angle of incidence, up to 64.
+// Two crossings of one ray closer than this, relative to the coordinates that go into t, are one: t
+// carries the rounding of some 16 operations, amplified by 1 / |cos| of the angle of incidence, up
+// to 64.
 constexpr double tie = gamma(16 * 64);
 
 struct ModelRay {
@@ -65,26 +66,39 @@ OptionalHit intersect_instance(const RenderPlan& plan, std::uint32_t id, const T
 /// Keeps the winner among the crossings offered, whatever their order.
 class Nearest {
  public:
+  Nearest(const RenderPlan& plan, const TraceRay& ray, double t_max)
+      : plan_(plan), origin_(max_abs(ray.origin)), limit_(t_max) {}
+
   /// No crossing beyond this can win any more.
   double limit() const { return limit_; }
 
   void offer(const SceneHit& hit) {
     if (hit.t < nearest_) {
       nearest_ = hit.t;
-      limit_ = std::min(limit_, hit.t * (1.0 + tie));
+      limit_ = std::min(limit_, hit.t + tie * (hit.t + origin_));
     }
-    if (winner_.t > limit_ || hit.instance < winner_.instance) {
+    if (winner_.t > limit_ || precedes(hit.instance, winner_.instance)) {
       winner_ = hit;
     }
   }
-
-  explicit Nearest(double t_max) : limit_(t_max) {}
 
   std::optional<SceneHit> winner() const {
     return winner_.instance == no_instance ? std::nullopt : std::optional(winner_);
   }
 
  private:
+  /// Which of two instances owns a surface that they share: the opaque one, else the first.
+  bool precedes(std::uint32_t a, std::uint32_t b) const {
+    if (b == no_instance) {
+      return true;
+    }
+    const bool clear_a = plan_.materials[plan_.instances[a].material].transmissive;
+    const bool clear_b = plan_.materials[plan_.instances[b].material].transmissive;
+    return clear_a != clear_b ? clear_b : a < b;
+  }
+
+  const RenderPlan& plan_;
+  double origin_;
   double nearest_ = std::numeric_limits<double>::infinity();
   double limit_;
   SceneHit winner_;
@@ -116,7 +130,7 @@ void each_candidate(const RenderPlan& plan, const Ray& ray, double t_max, Visit 
 template <class Counts>
 std::optional<SceneHit> nearest_of(const RenderPlan& plan, const TraceRay& ray, double t_max,
                                    Counts counts) {
-  Nearest nearest(t_max);
+  Nearest nearest(plan, ray, t_max);
   each_candidate(plan, {ray.origin, ray.direction}, t_max, [&](std::uint32_t id) {
     if (counts(plan.instances[id])) {
       if (const auto hit = intersect_instance(plan, id, ray, nearest.limit())) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "rt/math/rounding.h"
 #include "rt/scene/error.h"
 
@@ -36,6 +38,14 @@ void check(const Camera& camera) {
   if (!(camera.fov > 0.0 && camera.fov < 180.0)) {
     throw SceneError(fmt::format(
         "camera: expected a vertical field of view between 0 and 180 degrees, got {}", camera.fov));
+  }
+  if (!(camera.aperture >= 0.0 && std::isfinite(camera.aperture))) {
+    throw SceneError(fmt::format(
+        "camera: expected an aperture (the lens' diameter) of 0 or more, got {}", camera.aperture));
+  }
+  if (!(camera.focus > 0.0 && std::isfinite(camera.focus))) {
+    throw SceneError(
+        fmt::format("camera: expected a focus (a distance) above 0, got {}", camera.focus));
   }
 }
 

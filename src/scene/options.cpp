@@ -96,7 +96,17 @@ constexpr std::array encodings{std::pair{std::string_view("srgb"), Encoding::srg
                                std::pair{std::string_view("raw"), Encoding::raw}};
 constexpr std::array accels{std::pair{std::string_view("auto"), AccelChoice::automatic},
                             std::pair{std::string_view("none"), AccelChoice::none},
+                            std::pair{std::string_view("list"), AccelChoice::list},
                             std::pair{std::string_view("bvh"), AccelChoice::bvh}};
+
+constexpr std::array filters{
+    std::pair{std::string_view("gaussian"), Filter::gaussian},
+    std::pair{std::string_view("box"), Filter::box},
+    std::pair{std::string_view("tent"), Filter::tent},
+    std::pair{std::string_view("blackman-harris"), Filter::blackman_harris}};
+constexpr std::array schemes{std::pair{std::string_view("adaptive"), AntiAliasing::adaptive},
+                             std::pair{std::string_view("corners"), AntiAliasing::corners},
+                             std::pair{std::string_view("uniform"), AntiAliasing::uniform}};
 
 template <bool RenderOptions::*member>
 constexpr OptionSpec feature(std::string_view name, std::string_view help) {
@@ -111,16 +121,33 @@ constexpr OptionSpec feature(std::string_view name, std::string_view help) {
 }
 
 constexpr std::array specs{
-    OptionSpec{"samples", "", "N", "samples a pixel; 1 takes the pixel's centre (default 16)",
+    OptionSpec{"samples", "", "N",
+               "samples of every pixel, not adaptive; 1 takes the pixel's centre",
                [](RenderOptions& o, const OptionValue& v) {
                  o.samples = static_cast<int>(as_whole(v, 1, max_count));
                },
                [](const RenderOptions& o) { return OptionValue(static_cast<double>(o.samples)); }},
     OptionSpec{
-        "max_error", "", "E",
-        "error a pixel may have, of 1; smaller contributions are left out (default 0.02)",
+        "max_error", "", "E", "error a pixel may have, as displayed, of 1 (default 0.02)",
         [](RenderOptions& o, const OptionValue& v) { o.max_error = as_number_in(v, 1e-6, 1.0); },
         [](const RenderOptions& o) { return OptionValue(o.max_error); }},
+    OptionSpec{
+        "max_samples", "", "N", "where an adaptive pixel gives up (default 4096)",
+        [](RenderOptions& o, const OptionValue& v) {
+          o.max_samples = static_cast<int>(as_whole(v, 1, max_count));
+        },
+        [](const RenderOptions& o) { return OptionValue(static_cast<double>(o.max_samples)); }},
+    OptionSpec{
+        "time_limit", "", "S", "seconds to trace for; the picture is then as good as it got",
+        [](RenderOptions& o, const OptionValue& v) { o.time_limit = as_number_in(v, 1e-3, 1e9); },
+        [](const RenderOptions& o) { return OptionValue(o.time_limit); }},
+    OptionSpec{"filter", "", "NAME", "pixel filter: gaussian (default), box, tent, blackman-harris",
+               [](RenderOptions& o, const OptionValue& v) { o.filter = as_choice(v, filters); },
+               [](const RenderOptions& o) { return name_of(o.filter, filters); }},
+    OptionSpec{"aa", "", "adaptive|corners|uniform",
+               "samples: by estimated error (default), where corners differ, 16 everywhere",
+               [](RenderOptions& o, const OptionValue& v) { o.aa = as_choice(v, schemes); },
+               [](const RenderOptions& o) { return name_of(o.aa, schemes); }},
     OptionSpec{"seed", "", "N", "seed of all random decisions (default 0)",
                [](RenderOptions& o, const OptionValue& v) {
                  o.seed = static_cast<std::uint64_t>(as_whole(v, 0, max_seed));
@@ -136,15 +163,17 @@ constexpr std::array specs{
                "8-bit pictures hold sRGB (default) or the linear value times 255",
                [](RenderOptions& o, const OptionValue& v) { o.encoding = as_choice(v, encodings); },
                [](const RenderOptions& o) { return name_of(o.encoding, encodings); }},
-    OptionSpec{"accel", "", "auto|none|bvh",
-               "how candidates are found: by the scene's size (default), one by one, hierarchy",
-               [](RenderOptions& o, const OptionValue& v) { o.accel = as_choice(v, accels); },
-               [](const RenderOptions& o) { return name_of(o.accel, accels); }},
+    OptionSpec{
+        "accel", "", "auto|none|list|bvh",
+        "how hits are found: by the scene's size (default), one by one, boxes in a list, hierarchy",
+        [](RenderOptions& o, const OptionValue& v) { o.accel = as_choice(v, accels); },
+        [](const RenderOptions& o) { return name_of(o.accel, accels); }},
     feature<&RenderOptions::reflection>("reflection", "mirror reflection"),
     feature<&RenderOptions::refraction>("refraction", "refraction; off: transparent is opaque"),
     feature<&RenderOptions::soft_shadows>("soft_shadows", "extended lights; off: all are points"),
     feature<&RenderOptions::glossy>("glossy", "blurred reflection; off: all mirrors are perfect"),
     feature<&RenderOptions::antialiasing>("antialiasing", "more than one sample a pixel"),
+    feature<&RenderOptions::adaptive>("adaptive", "more samples where the error asks for them"),
     feature<&RenderOptions::acceleration>("acceleration", "anything but trying shapes one by one"),
 };
 
@@ -172,6 +201,19 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 }  // namespace
+
+int fixed_samples(const RenderOptions& options) {
+  constexpr int uniform_samples = 16;
+  if (!options.antialiasing) {
+    return 1;
+  }
+  if (options.samples > 0) {
+    return options.samples;
+  }
+  const bool uniform = options.aa == AntiAliasing::uniform ||
+                       (options.aa == AntiAliasing::adaptive && !options.adaptive);
+  return uniform ? uniform_samples : 0;
+}
 
 std::span<const OptionSpec> option_specs() { return specs; }
 

@@ -25,10 +25,11 @@ struct PictureReport {
   std::size_t instances = 0;
   std::size_t lights = 0;
   RenderStatistics statistics;
+  std::optional<ReachedError> reached;
   Phases phases;
 };
 
-/// "picture.png: 640x480, 16 samples a pixel, 0.21 s, 3.1 M rays (14.8 M/s)".
+/// "picture.png: 640x480, 16 samples a pixel, 0.21 s, 3.1 M rays (14.8 M/s)", and the error.
 std::string summary(const PictureReport& report);
 
 /// Writes the reports as JSON. Throws FileError.

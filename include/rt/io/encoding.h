@@ -4,11 +4,9 @@
 #include <vector>
 
 #include "rt/io/image.h"
+#include "rt/math/srgb.h"
 
 namespace rt::io {
-
-/// The opto-electronic transfer function of IEC 61966-2-1 (sRGB), from [0,1] onto [0,1].
-double srgb_oetf(double linear);
 
 /// 255 times the value, or its sRGB encoding, rounded to the nearest and clamped to 0..255.
 /// NaN becomes 0, so that one bad pixel does not cost the picture.

@@ -54,9 +54,12 @@ struct PlannedInstance {
   const PlannedMesh* mesh = nullptr;
 };
 
-/// The camera as the vectors that span its picture. Its eye is the origin of render space.
+/// The camera as the vectors that span its picture. Its eye, the lens' centre, is the origin of
+/// render space.
 struct CameraFrame {
   Vec3 forward, right, down;  ///< right and down reach to the picture's edges at distance 1
+  double lens_radius = 0.0;   ///< 0: a pinhole
+  double focus = 1.0;         ///< distance of the plane in focus
   /// The ray direction through picture coordinates in [0,1]^2, top left at (0,0). Not normalised.
   Vec3 direction(double x, double y) const {
     return forward + (2.0 * x - 1.0) * right + (2.0 * y - 1.0) * down;
@@ -87,6 +90,9 @@ struct RenderPlan {
   bool random = false;   ///< extended lights or gloss: paths take random decisions
   bool dims = false;     ///< some instance dims shadow rays
   bool absorbs = false;  ///< some medium absorbs
+
+  /// Of the integral that a pixel is: its area, and what is drawn besides.
+  int dimensions() const { return 2 + (random ? 2 : 0) + (camera.lens_radius > 0.0 ? 2 : 0); }
 
   /// The transmissive instances whose boxes meet that of `instance`, itself included if it is one;
   /// smallest box first. Filled for transmissive instances, and for all where a medium absorbs.

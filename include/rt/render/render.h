@@ -1,19 +1,20 @@
 #pragma once
 #include <functional>
+#include <optional>
+#include <vector>
 
 #include "rt/render/film.h"
-#include "rt/render/shading.h"
+#include "rt/render/plan.h"
+#include "rt/render/statistics.h"
 
 namespace rt {
 
-/// What a rendering tells about itself.
-struct RenderStatistics {
-  RayCounts rays;
-  std::uint64_t samples = 0;
-  double cpu_seconds = 0.0;  ///< processor time of the threads that traced
-  /// Samples whose radiance was NaN or infinite: left out of their pixel's mean.
-  std::uint64_t bad_samples = 0;
-  int first_bad_x = 0, first_bad_y = 0;  ///< the topmost, leftmost pixel with one
+/// How near the picture came to its error target; of adaptive renderings only.
+struct ReachedError {
+  double mean = 0.0;            ///< of the pixels' estimated errors, displayed units
+  double percentile_99 = 0.0;   ///< exceeded by one pixel in a hundred
+  std::uint64_t unreached = 0;  ///< pixels whose estimate stayed above max_error
+  bool out_of_time = false;     ///< because of the time limit; else because of max_samples
 };
 
 /// How far a rendering is; called from its threads, one at a time.
@@ -26,11 +27,15 @@ using ProgressFunction = std::function<void(const Progress&)>;
 struct RenderResult {
   Film film;
   RenderStatistics statistics;
+  std::optional<ReachedError> reached;
+  // Of adaptive renderings, pixel by pixel as in the film.
+  std::vector<float> errors;  ///< estimated, displayed units
+  std::vector<std::uint32_t> samples;
 };
 
 /// Renders a part of the picture, with the threads that with_threads() gives. The result depends on
 /// the plan alone: not on the number of threads, nor on the crop, whose pixels equal those of the
-/// full picture.
+/// full picture. (With a time limit it depends on the clock; given time enough it is the same.)
 RenderResult render(const RenderPlan& plan, const Crop& crop, const ProgressFunction& progress);
 
 }  // namespace rt

@@ -3,12 +3,16 @@
 
 namespace rt {
 
-/// A pinhole camera. Pixel (0,0) is top left.
+/// A camera, pinhole unless it has an aperture. Pixel (0,0) is top left.
 struct Camera {
   Vec3 eye{0.0};
   Vec3 view{0.0, 0.0, -1.0};  ///< direction, any length but zero
   Vec3 up{0.0, 1.0, 0.0};     ///< any vector not parallel to view
   double fov = 50.0;          ///< vertical field of view, degrees in (0,180)
+  double aperture = 0.0;      ///< the lens' diameter, world units; 0: a pinhole
+  /// Distance of the plane in focus, along the view direction, world units; > 0. Matters when there
+  /// is an aperture.
+  double focus = 1.0;
 };
 
 /// Throws SceneError when the camera cannot make a picture: an up vector parallel to the view

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <variant>
 
+#include "rt/math/filter.h"
 #include "rt/math/vec.h"
 
 namespace rt {
@@ -15,7 +16,14 @@ namespace rt {
 /// How 8-bit pictures encode linear values.
 enum class Encoding { srgb, raw };
 /// How the ray's candidates are found.
-enum class AccelChoice { automatic, none, bvh };
+enum class AccelChoice { automatic, none, list, bvh };
+
+/// How a pixel is made from samples.
+enum class AntiAliasing {
+  adaptive,  ///< as many as its estimated error asks for
+  corners,   ///< the classic scheme: squares are divided while their corners differ
+  uniform    ///< the same number for every pixel
+};
 
 /// A constant or a vertical gradient over the picture's height.
 struct Background {
@@ -28,7 +36,11 @@ struct RenderOptions {
   int height = 0;
   int max_depth = 8;        ///< how many times a path may be reflected or refracted
   double max_error = 0.02;  ///< accepted error of a pixel, in displayed 0..1 units
-  int samples = 16;         ///< per pixel; 1 is the pixel's centre
+  int samples = 0;          ///< per pixel, fixed; 1 is the pixel's centre; 0: left to `aa`
+  int max_samples = 4096;   ///< no pixel takes more, unless `samples` says so
+  double time_limit = 0.0;  ///< seconds of wall time for tracing; 0: none
+  Filter filter = Filter::gaussian;
+  AntiAliasing aa = AntiAliasing::adaptive;
   std::uint64_t seed = 0;
   Encoding encoding = Encoding::srgb;
   AccelChoice accel = AccelChoice::automatic;
@@ -37,9 +49,13 @@ struct RenderOptions {
   bool soft_shadows = true;  ///< false: every light is a point
   bool glossy = true;        ///< false: every mirror is perfect
   bool antialiasing = true;  ///< false: one sample at the pixel's centre
+  bool adaptive = true;      ///< false: `aa` is uniform unless it is corners
   bool acceleration = true;
   Background background;
 };
+
+/// The samples that every pixel takes, all options considered; 0 when it is not a fixed number.
+int fixed_samples(const RenderOptions& options);
 
 /// What a script or the command line gives for an option. The command line gives strings.
 using OptionValue = std::variant<bool, double, std::string>;

@@ -80,6 +80,25 @@ TEST(Contact, FacesInOnePlaneBelongToTheFirst) {
   }
 }
 
+TEST(Contact, ThroughAGlassBoxTheFloorItStandsOnIsSeen) {
+  for (const double scale : scales) {
+    const auto picture = [&](bool floor_first) {
+      World world = stage(scale);
+      const Affine turned = Affine::rotation(1, 33);
+      const Box box{{-0.6, 0, -0.6}, {0.6, 1.2, 0.6}};
+      if (floor_first) {
+        world.add(Plane{}, {}, matt({0.7, 0.2, 0.1}));
+      }
+      world.add(box, turned, glass());
+      if (!floor_first) {
+        world.add(Plane{}, {}, matt({0.7, 0.2, 0.1}));
+      }
+      return world.picture();
+    };
+    EXPECT_EQ(picture(true).pixels, picture(false).pixels) << scale;
+  }
+}
+
 TEST(Contact, TouchingSpheresLookLikeNearlyTouchingOnes) {
   const auto pair = [](double scale, double gap) {
     World world = stage(scale);

@@ -12,7 +12,7 @@ namespace {
 std::shared_ptr<Node> sphere_node(const std::string& name) {
   auto node = std::make_shared<Node>();
   node->name = name;
-  node->shape = Sphere{};
+  node->shape = std::make_shared<const Shape>(Sphere{});
   return node;
 }
 
@@ -102,7 +102,7 @@ TEST(Flatten, TransformsThatUnderflowTogetherNameTheNode) {
 TEST(Flatten, LaterEditsDoNotTouchTheSnapshot) {
   auto node = sphere_node("ball");
   const Flattened flat = flatten(*node);
-  node->shape = Box{};
+  node->shape = std::make_shared<const Shape>(Box{});
   translate(*node, {1, 0, 0});
   EXPECT_TRUE(std::holds_alternative<Sphere>(*flat.instances[0].shape));
   EXPECT_EQ(flat.instances[0].world_from_model.offset, Vec3(0.0));
@@ -164,6 +164,24 @@ TEST(Options, MisspellingsFindTheirName) {
   EXPECT_EQ(nearest_name("max_deph", known), "max_depth");
   EXPECT_EQ(nearest_name("sampels", known), "samples");
   EXPECT_EQ(nearest_name("fog", known), "");
+}
+
+TEST(Options, SamplesAreFixedOnlyWhereTheUserSaysSo) {
+  RenderOptions o;
+  EXPECT_EQ(fixed_samples(o), 0);
+  o.aa = AntiAliasing::corners;
+  EXPECT_EQ(fixed_samples(o), 0);
+  o.adaptive = false;
+  EXPECT_EQ(fixed_samples(o), 0);
+  o.aa = AntiAliasing::adaptive;
+  EXPECT_EQ(fixed_samples(o), 16);
+  o.adaptive = true;
+  o.aa = AntiAliasing::uniform;
+  EXPECT_EQ(fixed_samples(o), 16);
+  o.samples = 5;
+  EXPECT_EQ(fixed_samples(o), 5);
+  o.antialiasing = false;
+  EXPECT_EQ(fixed_samples(o), 1);
 }
 
 }  // namespace

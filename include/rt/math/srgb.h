@@ -1,0 +1,12 @@
+#pragma once
+/// From linear light to the values that a screen is sent.
+
+namespace rt {
+
+/// The opto-electronic transfer function of IEC 61966-2-1 (sRGB), from [0,1] onto [0,1].
+double srgb_oetf(double linear);
+
+/// The same from a table, for estimates: clamped to [0,1], off by less than 1e-5, and monotone.
+double srgb_displayed(double linear);
+
+}  // namespace rt

@@ -1,0 +1,44 @@
+#pragma once
+/// The mean of a pixel's samples, and how far it may be from the truth.
+///
+/// The samples are a scrambled net: their own variance says little, since the mean of n of them
+/// errs by far less than sigma / sqrt(n). Two things are known instead.
+///  - The *quarters*: each aligned quarter of a net is a net of its own, scrambled differently. The
+///    four means scatter as the error of n/4 samples does; the whole errs less by a known rate.
+///  - The *contrast*: the variance of all pilot samples of the 3x3 pixels about, which also sees
+///    what the pixel's own few samples missed.
+/// Both are extrapolated with the rate of nets on integrands with edges: the variance of the mean
+/// falls as n^-(1 + 1/d), d the number of joint dimensions (see RenderPlan::dimensions and
+/// tests/convergence). Four quarters are few: every doubling averages the new evidence with what
+/// was estimated before.
+#include <array>
+#include <cstdint>
+
+#include "rt/math/vec.h"
+#include "rt/scene/options.h"
+
+namespace rt {
+
+struct PixelEstimate {
+  std::array<Rgb, 4> quarters{};  ///< sums over quarters of the samples, once there are 4
+  Rgb squares{0.0};               ///< sum of squares over the pilots
+  Rgb variance{0.0};              ///< of the mean, as estimated
+  float error = 0.0F;             ///< in displayed units
+  std::uint32_t count = 0;
+  std::uint32_t bad = 0;  ///< of them, not finite
+
+  Rgb mean() const;
+};
+
+/// How fast the variance of a mean falls: n^-exponent, for nets in so many dimensions.
+double variance_exponent(int dimensions);
+
+/// The variance of the mean of `e.count` samples, from the scatter of its quarters.
+Rgb variance_of_quarters(const PixelEstimate& e, double exponent);
+
+/// A standard deviation `s` about `mean`, linear, in displayed units: the largest over channels.
+/// Half of what the screen shows between mean - s and mean + s, so that what is clipped there does
+/// not count.
+double displayed_error(const Rgb& mean, const Rgb& s, Encoding encoding);
+
+}  // namespace rt

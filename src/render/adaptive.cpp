@@ -1,0 +1,123 @@
+#include "rt/render/adaptive.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rt {
+namespace {
+
+/// First samples of every pixel. With the neighbours' 36 samples tell an even region from an edge.
+constexpr std::uint32_t pilot_samples = 4;
+
+/// The claimed error is so many standard deviations: chosen such that 95% of true errors lie below
+/// 1.5 times the claim (bench/results/calibration.md).
+constexpr double claim = 1.3;
+
+/// What an estimate made before the last doubling still counts against the newest evidence.
+constexpr double memory = 1.0;
+
+constexpr double max_exponent = 1.5;
+
+/// Takes samples up to `count`; a count above 4 must be the present one, or twice it.
+void grow(PixelSampler& sampler, PixelEstimate& e, int x, int y, std::uint32_t count,
+          RenderStatistics& statistics) {
+  const Sampler pixel(sampler.plan().options.seed, x, y, 0);
+  if (e.count >= 4) {
+    e.quarters = {e.quarters[0] + e.quarters[1], e.quarters[2] + e.quarters[3], Rgb(0.0), Rgb(0.0)};
+  }
+  const std::uint32_t quarter = std::max(count / 4, 1u);
+  for (; e.count < count; ++e.count) {
+    const auto value = sampler.take(x, y, pixel.at(e.count), statistics);
+    if (value) {
+      e.quarters[e.count / quarter] += *value;
+      e.squares += *value * *value;
+    } else {
+      ++e.bad;
+    }
+  }
+}
+
+/// How fast the variance of the mean has fallen, from one sample to half of those taken by now.
+double observed_exponent(const PixelEstimate& e) {
+  const double before = 0.5 * e.count;
+  const Rgb mean = e.mean();
+  const Rgb sample =
+      glm::max(e.squares / std::max(1.0 * (e.count - e.bad), 1.0) - mean * mean, Rgb(0.0));
+  const double of_samples = sample.r + sample.g + sample.b;
+  const double of_mean = e.variance.r + e.variance.g + e.variance.b;
+  if (!(of_samples > 0.0 && of_mean > 0.0)) {
+    return max_exponent;
+  }
+  return std::clamp(std::log(of_samples / of_mean) / std::log(before), 1.0, max_exponent);
+}
+
+void set_error(PixelEstimate& e, Encoding encoding) {
+  e.error = static_cast<float>(displayed_error(e.mean(), claim * glm::sqrt(e.variance), encoding));
+}
+
+}  // namespace
+
+void AdaptiveTile::pilots(PixelSampler& sampler, RenderStatistics& statistics) {
+  pixels_.assign(
+      static_cast<std::size_t>(area_.width + 2) * static_cast<std::size_t>(area_.height + 2), {});
+  const RenderPlan& plan = sampler.plan();
+  const auto most = static_cast<std::uint32_t>(plan.options.max_samples);
+  const std::uint32_t first = std::min(pilot_samples, most);
+  const int right = area_.x + area_.width;
+  const int bottom = area_.y + area_.height;
+  RenderStatistics outside;
+  for (int y = area_.y - 1; y <= bottom; ++y) {
+    for (int x = area_.x - 1; x <= right; ++x) {
+      const bool inside = x >= area_.x && x < right && y >= area_.y && y < bottom;
+      grow(sampler, pixels_[index(x, y)], x, y, first, inside ? statistics : outside);
+    }
+  }
+  outside.bad_samples = 0;  // they count in the tile that they belong to
+  statistics += outside;
+  for (int y = area_.y; y < bottom; ++y) {
+    for (int x = area_.x; x < right; ++x) {
+      estimate_from_contrast(pixels_[index(x, y)], x, y, plan);
+    }
+  }
+}
+
+void AdaptiveTile::estimate_from_contrast(PixelEstimate& e, int x, int y,
+                                          const RenderPlan& plan) const {
+  Rgb mean(0.0);
+  Rgb square(0.0);
+  for (int j = y - 1; j <= y + 1; ++j) {
+    for (int i = x - 1; i <= x + 1; ++i) {
+      const PixelEstimate& near = at(i, j);
+      mean += near.mean() / 9.0;
+      square += near.squares / (9.0 * std::max(near.count - near.bad, 1u));
+    }
+  }
+  const Rgb contrast = glm::max(square - mean * mean, Rgb(0.0));
+  e.variance = contrast * std::pow(e.count, -variance_exponent(plan.dimensions()));
+  set_error(e, plan.options.encoding);
+}
+
+void AdaptiveTile::refine(PixelSampler& sampler, double target, const Deadline& deadline,
+                          RenderStatistics& statistics) {
+  const RenderPlan& plan = sampler.plan();
+  const auto most = static_cast<std::uint32_t>(plan.options.max_samples);
+  for (int y = area_.y; y < area_.y + area_.height; ++y) {
+    for (int x = area_.x; x < area_.x + area_.width; ++x) {
+      PixelEstimate& e = pixels_[index(x, y)];
+      while (e.error > target && 2 * e.count <= most) {
+        if (deadline.passed()) {
+          return;
+        }
+        grow(sampler, e, x, y, 2 * e.count, statistics);
+        const double rate = observed_exponent(e);
+        const Rgb expected = std::pow(0.5, rate) * e.variance;
+        e.variance = e.count >= 4
+                         ? (variance_of_quarters(e, rate) + memory * expected) / (1.0 + memory)
+                         : expected;
+        set_error(e, plan.options.encoding);
+      }
+    }
+  }
+}
+
+}  // namespace rt
