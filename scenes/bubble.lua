@@ -32,5 +32,5 @@ gr.render{
   ambient = {0.25, 0.26, 0.28},
   lights = {gr.light{position = {-4, 12, 8}, colour = {0.85, 0.82, 0.76}}},
   background = {top = {0.4, 0.55, 0.8}, bottom = {0.9, 0.92, 0.95}},
-  max_depth = 8, samples = 8,
+  max_depth = 8,
 }

@@ -27,5 +27,4 @@ gr.render{
   ambient = {0.2, 0.2, 0.22},
   lights = {gr.light{position = {3, 7, 4}, colour = {0.9, 0.86, 0.8}, radius = 1.5}},
   background = {top = {0.15, 0.25, 0.5}, bottom = {0.85, 0.75, 0.7}},
-  samples = 48,
 }

@@ -38,5 +38,4 @@ gr.render{
   camera = {eye = {0, 17, 2.6}, look_at = {0, 0.3, 0.2}, up = {0, 1, 0}, fov = 33},
   ambient = {0.14, 0.15, 0.18},
   lights = lights,
-  samples = 32,
 }
