@@ -156,7 +156,7 @@ function gr.checker(even, odd, size) end
 ---@param ambient gr.Colour
 ---@param lights gr.Light[]
 ---@param options? table
----@overload fun(fields: { scene: gr.Node, file: string, size: number[], camera: { eye: number[], view?: number[], look_at?: number[], up?: number[], fov?: number }, ambient?: gr.Colour, lights?: gr.Light[], background?: gr.Colour|{ top: gr.Colour, bottom: gr.Colour }, samples?: number, max_error?: number, seed?: number, max_depth?: number, encoding?: string, accel?: string, reflection?: boolean, refraction?: boolean, soft_shadows?: boolean, glossy?: boolean, antialiasing?: boolean, acceleration?: boolean })
+---@overload fun(fields: { scene: gr.Node, file: string, size: number[], camera: { eye: number[], view?: number[], look_at?: number[], up?: number[], fov?: number }, ambient?: gr.Colour, lights?: gr.Light[], background?: gr.Colour|{ top: gr.Colour, bottom: gr.Colour }, samples?: number, max_error?: number, max_samples?: number, time_limit?: number, filter?: string, aa?: string, seed?: number, max_depth?: number, encoding?: string, accel?: string, reflection?: boolean, refraction?: boolean, soft_shadows?: boolean, glossy?: boolean, antialiasing?: boolean, adaptive?: boolean, acceleration?: boolean })
 function gr.render(scene, file, width, height, eye, view, up, fov, ambient, lights, options) end
 
 ---Puts a node below this one; a node may have several parents.
