@@ -15,19 +15,25 @@ class Flattener {
  public:
   Flattened take(const Node& root) {
     // An explicit stack: a chain of nodes is as deep as the script likes.
-    std::vector<Visit> open{{&root, Affine{}, {}, 1}};
+    std::vector<Visit> open{{&root, Affine{}, nullptr, {}, 1}};
     while (!open.empty()) {
       const Visit visit = open.back();
       open.pop_back();
       const Node& node = *visit.node;
       check_depth(node, visit.depth);
-      const Affine world_from_node = visit.world_from_parent * node.parent_from_node;
+      Affine above_from_node = visit.above_from_parent * node.parent_from_node;
+      std::shared_ptr<const MotionPath> path = visit.path;
+      if (node.motion) {
+        path = extended(path, {visit.above_from_parent, nullptr});
+        path = extended(path, {node.parent_from_node, node.motion});
+        above_from_node = {};
+      }
       const Paint paint = painted(node, visit.paint);
       if (node.shape) {
-        place(node, world_from_node, paint);
+        place(node, above_from_node, path, paint);
       }
       for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
-        open.push_back({child->get(), world_from_node, paint, visit.depth + 1});
+        open.push_back({child->get(), above_from_node, path, paint, visit.depth + 1});
       }
     }
     warn_of_missing_materials();
@@ -42,7 +48,9 @@ class Flattener {
 
   struct Visit {
     const Node* node;
-    Affine world_from_parent;
+    /// "Above" is the space of the nearest moving node, or the world.
+    Affine above_from_parent;
+    std::shared_ptr<const MotionPath> path;  ///< from the world to that node; null: none moves
     Paint paint;
     std::size_t depth;
   };
@@ -63,7 +71,10 @@ class Flattener {
     }
   }
 
-  void place(const Node& node, const Affine& world_from_model, const Paint& paint) {
+  void place(const Node& node, const Affine& above_from_model,
+             const std::shared_ptr<const MotionPath>& above, const Paint& paint) {
+    const auto path = above ? extended(above, {above_from_model, nullptr}) : nullptr;
+    const Affine world_from_model = path ? path->at(0.0) : above_from_model;
     const auto model_from_world = inverse(world_from_model);
     if (!model_from_world) {
       throw SceneError(fmt::format(
@@ -81,7 +92,7 @@ class Flattener {
     }
     result_.instances.push_back({world_from_model, *model_from_world, shape,
                                  paint.material ? paint.material : default_material(node),
-                                 paint.texture, node.name});
+                                 paint.texture, node.name, path});
   }
 
   std::shared_ptr<const Material> default_material(const Node& node) {
