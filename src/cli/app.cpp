@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <iterator>
@@ -10,10 +11,12 @@
 #include "rt/cli/output_path.h"
 #include "rt/cli/progress.h"
 #include "rt/cli/report.h"
+#include "rt/cli/starter.h"
 #include "rt/io/image.h"
 #include "rt/io/obj.h"
 #include "rt/lua/script.h"
 #include "rt/render/plan.h"
+#include "rt/render/scene_warnings.h"
 #include "rt/render/threads.h"
 
 namespace rt::cli {
@@ -55,7 +58,7 @@ class Session {
       with_threads(line_.threads, [&] { picture(std::move(job)); });
     };
     const lua::Host host{render, io::load_obj, warn};
-    lua::run_script(line_.scene, line_.arguments, host);
+    lua::run_script(line_.scene, line_.arguments, host, line_.script);
     if (reports_.empty()) {
       throw SceneError(fmt::format("{}: the script made no picture; it should call gr.render(...)",
                                    line_.scene.string()));
@@ -98,7 +101,7 @@ class Session {
     report.phases.script = watch_.lap();
     override_options(job.options);
     report.crop = crop_of(job.options);
-    const auto path = output_path(job.output, line_.output, reports_.size());
+    const auto path = output_path(job.output, line_.output, reports_.size(), line_.script.trust);
     io::check_output(path);
     io::preload();
     report.picture = path.string();
@@ -112,10 +115,12 @@ class Session {
     report.phases.trace_cpu = result.statistics.cpu_seconds;
     report.phases.trace = watch_.lap();
     report.statistics = result.statistics;
+    const std::vector<std::string> warnings = scene_warnings(job, plan, result.film);
     report.reached = result.reached;
     io::write_image(path, {result.film.width, result.film.height, std::move(result.film.pixels)},
                     job.options.encoding, metadata(job.options));
     report.phases.write = watch_.lap();
+    std::ranges::for_each(warnings, warn);
     tell(report);
     reports_.push_back(std::move(report));
   }
@@ -161,11 +166,15 @@ void run(const CommandLine& line) { Session(line).run(); }
 int main_program(int argc, const char* const* argv) {
   try {
     if (const auto line = parse_command_line(argc, argv)) {
-      run(*line);
+      if (line->new_scene.empty()) {
+        run(*line);
+      } else {
+        write_starter_scene(line->new_scene);
+      }
     }
     return static_cast<int>(ExitCode::done);
   } catch (const UserError& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
+    fmt::print(stderr, "error: {}\n", error.report());
     return static_cast<int>(error.code());
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "error: out of memory; make the scene or the picture smaller\n");

@@ -66,10 +66,38 @@ Crop parse_crop(const std::string& text) {
 
 /// Everything CLI11 fills in before it is checked.
 struct Raw {
-  std::string scene, size, crop, progress = "auto";
+  std::string scene, size, crop, progress = "auto", order = "pre";
+  std::size_t script_memory = 0;  // MB; 0: not given
   std::vector<std::string> disabled;
   std::vector<std::string> values = std::vector<std::string>(option_specs().size());
 };
+
+/// What the script may do and use up.
+void declare_script(CLI::App& app, lua::Settings& script, Raw& raw) {
+  app.add_option("--script-memory", raw.script_memory, "memory for the script (default 2048)")
+      ->type_name("MB")
+      ->check(CLI::Range(1, 1 << 30));
+  app.add_option("--script-time", script.limits.seconds,
+                 "time for the script, rendering not included (default 60)")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.001, 1e9));
+  app.add_option("--script-instructions", script.limits.instructions,
+                 "instructions for the script (default 10000000000)")
+      ->type_name("N")
+      ->check(CLI::Range(1.0, 1e18));
+  app.add_option("--allow-path", script.allowed, "a further folder the script may read from")
+      ->type_name("FOLDER")
+      ->check(CLI::ExistingDirectory)
+      ->expected(1);
+  app.add_flag("--trust", script.trust,
+               "let the script do anything: all libraries, files anywhere, no limits");
+  app.add_flag("--lenient", script.lenient, "skip calls of what does not exist, with a warning");
+  app.add_option(
+         "--transform-order", raw.order,
+         "pre|post: node:rotate turns about the parent's origin (default) or the node's own")
+      ->check(CLI::IsMember({"pre", "post"}))
+      ->type_name("ORDER");
+}
 
 void declare(CLI::App& app, CommandLine& line, Raw& raw) {
   app.add_option("scene", raw.scene, "the scene script")->type_name("SCENE.lua");
@@ -100,6 +128,10 @@ void declare(CLI::App& app, CommandLine& line, Raw& raw) {
       ->check(CLI::IsMember({"auto", "plain", "json", "none"}))
       ->type_name("STYLE");
   app.add_flag("-q,--quiet", line.quiet, "say nothing but warnings and errors");
+  app.add_flag("-v,--verbose", line.script.verbose, "show Lua's traceback below errors");
+  app.add_option("--new", line.new_scene, "write a commented scene to start from")
+      ->type_name("SCENE.lua");
+  declare_script(app, line.script, raw);
 }
 
 [[noreturn]] void refuse(const CLI::App& app, const CLI::ParseError& error) {
@@ -127,7 +159,11 @@ void declare(CLI::App& app, CommandLine& line, Raw& raw) {
 
 void interpret(CommandLine& line, const Raw& raw) {
   line.scene = raw.scene;
-  if (raw.scene.empty()) {
+  line.script.order = raw.order == "post" ? TransformOrder::post : TransformOrder::pre;
+  if (raw.script_memory > 0) {
+    line.script.limits.memory = raw.script_memory << 20;
+  }
+  if (raw.scene.empty() && line.new_scene.empty()) {
     throw UsageError("no scene given; expected: raytracer SCENE.lua [options] (see --help)");
   }
   for (std::size_t i = 0; i < raw.values.size(); ++i) {

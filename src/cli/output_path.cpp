@@ -29,9 +29,10 @@ fs::path confined(const fs::path& by_script) {
 
 }  // namespace
 
-fs::path output_path(const fs::path& by_script, const fs::path& by_user, std::size_t index) {
+fs::path output_path(const fs::path& by_script, const fs::path& by_user, std::size_t index,
+                     bool trusted) {
   if (by_user.empty()) {
-    return confined(by_script);
+    return trusted ? by_script : confined(by_script);
   }
   if (!by_user.has_filename() || fs::is_directory(by_user)) {
     return by_user / by_script.filename();

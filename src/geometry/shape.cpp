@@ -8,6 +8,7 @@ const char* kind(const Box&) { return "box"; }
 const char* kind(const Plane&) { return "plane"; }
 const char* kind(const Square&) { return "square"; }
 const char* kind(const Cylinder&) { return "cylinder"; }
+const char* kind(const PointedCone&) { return "cone"; }
 const char* kind(const Torus&) { return "torus"; }
 const char* kind(const Blob&) { return "blob"; }
 const char* kind(const Mesh&) { return "mesh"; }

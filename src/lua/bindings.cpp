@@ -9,6 +9,7 @@
 #include "functions.h"
 #include "guarded.h"
 #include "handle.h"
+#include "nodes.h"
 
 namespace rt::lua {
 namespace {
@@ -29,6 +30,8 @@ constexpr std::array table{
             R"(gr.plane("floor"))"},
     Binding{"gr.cylinder", guarded<make_cylinder>, 1, "(name: string): node",
             "Radius 1 about the y axis, from y = 0 to 1, closed.", R"(gr.cylinder("can"))"},
+    Binding{"gr.cone", guarded<make_cone>, 1, "(name: string): node",
+            "Radius 1 at y = 0, where it is closed; its apex at (0, 1, 0).", R"(gr.cone("hat"))"},
     Binding{"gr.torus", guarded<make_torus>, 3,
             "(name: string), (name: string, r: number) or (name: string, R: number, r: number): "
             "node",
@@ -49,12 +52,14 @@ constexpr std::array table{
             R"(gr.mesh("cow", "cow.obj"))"},
     Binding{"gr.material", guarded<make_material>, 6,
             "(kd: colour, ks: colour, shininess: number, ior?: number, opacity?: number, "
-            "glossiness?: number) or {kd =, ks =, shininess =, reflectivity =, ior =, opacity =, "
-            "glossiness =, absorption =, emission =}: material",
+            "glossiness?: number) or {kd?: colour, ks?: colour, shininess?: number, ior?: number, "
+            "opacity?: number, glossiness?: number, reflectivity?: colour, absorption?: colour, "
+            "emission?: colour}: material",
             "A Phong material.", "gr.material({0.8, 0.2, 0.2}, {0.5, 0.5, 0.5}, 25)"},
     Binding{"gr.light", guarded<make_light>, 4,
             "(position: {x, y, z}, colour: colour, falloff: {c0, c1, c2}, radius?: number) or "
-            "{position =, colour =, falloff =, radius =, u =, v =, visible =}: light",
+            "{position: {x, y, z}, colour?: colour, falloff?: {c0, c1, c2}, radius?: number, "
+            "u?: {x, y, z}, v?: {x, y, z}, visible?: boolean}: light",
             "A light that dims as 1 / (c0 + c1 d + c2 d^2).",
             "gr.light({0, 10, 5}, {1, 1, 1}, {1, 0, 0})"},
     Binding{"gr.checker", guarded<make_checker>, 3,
@@ -64,8 +69,9 @@ constexpr std::array table{
     Binding{"gr.render", guarded<render>, 11,
             "(scene: node, file: string, width: number, height: number, eye: {x, y, z}, view: {x, "
             "y, z}, up: {x, y, z}, fov: number, ambient: colour, lights: {light, ...}, options?: "
-            "table) or {scene =, file =, size = {w, h}, camera = {eye =, view = or look_at =, up "
-            "=, fov =}, ambient =, lights =, ...options}",
+            "table) or {scene: node, file: string, size: {w, h}, camera: {eye: {x, y, z}, "
+            "view?: {x, y, z}, look_at?: {x, y, z}, up?: {x, y, z}, fov?: number}, "
+            "ambient?: colour, lights?: {light, ...}, ...options}",
             "Renders the graph as it is now into a picture file.",
             R"(gr.render{scene = root, file = "a.png", size = {640, 480}, )"
             R"(camera = {eye = {0, 0, 5}, look_at = {0, 0, 0}}, lights = {l}})"},
@@ -115,17 +121,34 @@ std::string key_text(lua_State* L, int index) {
   return lua_type(L, index) == LUA_TSTRING ? shortened(lua_tostring(L, index)) : describe(L, index);
 }
 
+/// What a skipped method does: it returns its node.
+int return_first(lua_State* L) {
+  lua_settop(L, 1);
+  return 1;
+}
+
 /// __index of gr: reached for what is not there.
 int unknown_function(lua_State* L) {
   const std::string key = key_text(L, 2);
-  throw SceneError(fmt::format("there is no gr.{}{}", key, suggestion(key, names_in("gr."))));
+  const std::string text = fmt::format("there is no gr.{}", key);
+  if (!context(L).settings.lenient) {
+    throw SceneError(text + suggestion(key, names_in("gr.")));
+  }
+  warn_once(L, text, text + "; an empty node stands for what it makes");
+  lua_pushcfunction(L, guarded<push_stand_in>);
+  return 1;
 }
 
 /// __index of the methods' table: reached for what is not there, of a node (argument 1).
 int unknown_method(lua_State* L) {
   const std::string key = key_text(L, 2);
-  throw SceneError(
-      fmt::format("nodes have no method '{}'{}", key, suggestion(key, names_in("node:"))));
+  const std::string text = fmt::format("nodes have no method '{}'", key);
+  if (!context(L).settings.lenient) {
+    throw SceneError(text + suggestion(key, names_in("node:")));
+  }
+  warn_once(L, text, text + "; the call is skipped");
+  lua_pushcfunction(L, return_first);
+  return 1;
 }
 
 /// __index of materials, lights and textures.

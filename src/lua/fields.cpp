@@ -58,7 +58,15 @@ std::vector<std::string> other_keys(lua_State* L, int index,
 
 void refuse_keys(const Call& call, std::string_view table, std::span<const std::string> keys,
                  std::span<const std::string_view> known) {
-  if (!keys.empty()) {
+  if (keys.empty()) {
+    return;
+  }
+  if (call.run().settings.lenient) {
+    for (const std::string& key : keys) {
+      warn_once(call.L, call.title() + " key " + key,
+                fmt::format("{}: unknown key '{}' is ignored", call.title(), shortened(key)));
+    }
+  } else {
     call.fail(fmt::format("unknown key '{}'{}{}{}", shortened(keys.front()),
                           table.empty() ? "" : " in ", table, suggestion(keys.front(), known)));
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -14,26 +15,40 @@ namespace fs = std::filesystem;
 
 namespace {
 
+bool is_mesh(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".obj";
+}
+
 bool lies_in(const fs::path& real, const Folder& folder) {
+  if (folder.only_meshes) {
+    return is_mesh(real) && real.parent_path() == folder.real;
+  }
   const auto [rest, _] =
       std::mismatch(folder.real.begin(), folder.real.end(), real.begin(), real.end());
   return rest == folder.real.end();
 }
 
 std::string listed(std::span<const Folder> folders) {
-  std::string text;
+  std::vector<std::string> shown;
   for (const Folder& folder : folders) {
-    const std::string shown = folder.shown.empty() ? "." : folder.shown.string();
-    text += fmt::format("{}'{}'", text.empty() ? "" : " and ", shown);
+    std::string name = fmt::format("'{}'", folder.shown.empty() ? "." : folder.shown.string());
+    if (std::ranges::find(shown, name) == shown.end()) {
+      shown.push_back(std::move(name));
+    }
   }
-  return text;
+  const std::string last = std::move(shown.back());
+  shown.pop_back();
+  return shown.empty() ? last : fmt::format("{} and {}", fmt::join(shown, ", "), last);
 }
 
 }  // namespace
 
 Folder folder(const fs::path& shown) {
   std::error_code error;
-  fs::path real = fs::weakly_canonical(shown.empty() ? fs::path(".") : shown, error);
+  const fs::path real = fs::weakly_canonical(shown.empty() ? fs::path(".") : shown, error);
   if (error) {
     throw FileError(
         fmt::format("cannot open the folder '{}': {}", shown.string(), error.message()));
@@ -41,24 +56,57 @@ Folder folder(const fs::path& shown) {
   return {shown, fs::absolute(real)};
 }
 
+std::vector<Folder> module_folders(const fs::path& script, const Settings& settings) {
+  std::vector<Folder> folders{folder(script.parent_path())};
+  for (const fs::path& allowed : settings.allowed) {
+    folders.push_back(folder(allowed));
+  }
+  return folders;
+}
+
+std::vector<Folder> mesh_folders(const fs::path& script, const Settings& settings) {
+  const fs::path own = script.parent_path();
+  std::vector<Folder> folders{folder(own), folder({}), folder(own / "Assets"), folder("Assets")};
+  for (const fs::path& allowed : settings.allowed) {
+    folders.push_back(folder(allowed));
+  }
+  for (const fs::path& above : {own / "..", own / "../Assets"}) {
+    folders.push_back(folder(above));
+    folders.back().only_meshes = true;
+  }
+  return folders;
+}
+
 FoundFile find_file(const Call& call, const std::string& name, std::span<const Folder> folders) {
+  const bool trusted = call.run().settings.trust;
   bool leads_out = false;
+  std::string odd;
   for (const Folder& folder : folders) {
+    if (folder.only_meshes && fs::path(name).has_parent_path()) {
+      continue;  // a plain name, or it does not stand there
+    }
     std::error_code error;
     const fs::path candidate = folder.real / name;
     const fs::path real = fs::weakly_canonical(candidate, error);
     if (error || name.find('\0') != std::string::npos) {
       continue;
     }
-    if (std::ranges::none_of(folders, [&](const Folder& f) { return lies_in(real, f); })) {
-      leads_out = true;
+    if (!trusted &&
+        std::ranges::none_of(folders, [&](const Folder& f) { return lies_in(real, f); })) {
+      leads_out = leads_out || !folder.only_meshes;
     } else if (fs::is_regular_file(real, error)) {
       return {real, (folder.shown / name).string()};
+    } else if (fs::exists(real, error)) {
+      odd = fs::is_directory(real, error) ? "is a folder" : "is not a regular file";
     }
   }
   if (leads_out) {
-    call.fail(
-        fmt::format("'{}' lies outside {}, where a script's files must be", name, listed(folders)));
+    call.fail(fmt::format(
+        "'{}' lies outside {}, where a script's files must be; --allow-path FOLDER allows another",
+        name, listed(folders)));
+  }
+  if (!odd.empty()) {
+    throw FileError(fmt::format("{}: cannot read '{}': it {}", call.title(), name, odd));
   }
   throw FileError(
       fmt::format("{}: there is no file '{}' in {}", call.title(), name, listed(folders)));
@@ -68,6 +116,11 @@ std::string read_file(const fs::path& path, const std::string& shown) {
   std::error_code error;
   if (fs::is_directory(path, error)) {
     throw FileError(fmt::format("cannot read '{}': it is a folder", shown));
+  }
+  constexpr std::uintmax_t largest = std::uintmax_t{64} << 20;
+  if (const auto size = fs::file_size(path, error); !error && size > largest) {
+    throw FileError(
+        fmt::format("cannot read '{}': {} bytes are too many for a script", shown, size));
   }
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
@@ -87,11 +140,15 @@ int load_text(lua_State* L, std::string source, const std::string& shown) {
   if (source.starts_with('#')) {
     source.erase(0, source.find('\n'));  // the line's end stays, so that lines keep their numbers
   }
-  if (source.starts_with(LUA_SIGNATURE[0])) {
+  constexpr const char* text_only = "t";
+  constexpr const char* text_or_bytecode = "bt";
+  const bool trusted = context(L).settings.trust;
+  if (source.starts_with(LUA_SIGNATURE[0]) && !trusted) {
     lua_pushfstring(L, "%s: expected Lua source text, got compiled Lua (bytecode)", shown.c_str());
     return LUA_ERRSYNTAX;
   }
-  return luaL_loadbufferx(L, source.data(), source.size(), ("@" + shown).c_str(), "t");
+  return luaL_loadbufferx(L, source.data(), source.size(), ("@" + shown).c_str(),
+                          trusted ? text_or_bytecode : text_only);
 }
 
 }  // namespace rt::lua

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "call.h"
 
@@ -16,11 +17,20 @@ struct FoundFile {
 /// The folder as messages show it, and where it really is.
 Folder folder(const std::filesystem::path& shown);
 
+/// Where a script's modules are looked for: its folder, and those that the user allows.
+std::vector<Folder> module_folders(const std::filesystem::path& script, const Settings& settings);
+
+/// Where its meshes are looked for, in this order: its folder and the working folder, Assets/ in
+/// both, the folders that the user allows; and, where scripts of the course framework expect them,
+/// the folder above the script's and Assets/ in that, for OBJ files only.
+std::vector<Folder> mesh_folders(const std::filesystem::path& script, const Settings& settings);
+
 /// The first regular file called `name` in one of `folders`. Throws SceneError when the name leads
-/// out of them, be it by "..", an absolute path or a symbolic link; FileError when there is none.
+/// out of them, be it by "..", an absolute path or a symbolic link, unless the script is trusted;
+/// FileError when there is none.
 FoundFile find_file(const Call& call, const std::string& name, std::span<const Folder> folders);
 
-/// The bytes of a file. Throws FileError.
+/// The bytes of a file of source text, 64 MB at most. Throws FileError.
 std::string read_file(const std::filesystem::path& path, const std::string& shown);
 
 /// Compiles Lua source text and leaves the function on the stack; a first line that starts with #

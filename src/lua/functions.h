@@ -13,6 +13,7 @@ int make_sphere(Call& call);
 int make_cube(Call& call);
 int make_plane(Call& call);
 int make_cylinder(Call& call);
+int make_cone(Call& call);
 int make_torus(Call& call);
 int make_blob(Call& call);
 int make_nh_sphere(Call& call);

@@ -24,8 +24,14 @@ void push_error(lua_State* L, const std::exception& error) {
     text = where + ": " + text;
   }
   if (code != ExitCode::scene) {
-    run.coded_message = text;
-    run.coded_code = code;
+    constexpr std::size_t remembered = 32;
+    run.coded_errors.push_back({text, code});
+    if (run.coded_errors.size() > remembered) {
+      run.coded_errors.pop_front();
+    }
+  }
+  if (code == ExitCode::interrupted) {
+    run.guard.stop(L, code, text);
   }
   lua_pushlstring(L, text.data(), text.size());
 }

@@ -38,18 +38,12 @@ void push(lua_State* L, std::shared_ptr<T> object) {
   *handle = std::move(object);  // last: nothing can throw between this and the finaliser's duty
 }
 
-/// Lets go of a node. Children of which nobody else holds a share go too, in a loop: a chain of a
-/// million nodes would overflow the stack if each destroyed the next.
-void release(std::shared_ptr<Node> node);
-template <class T>
-void release(std::shared_ptr<const T>) {}
-
 /// The finaliser. It leaves an empty handle, so that a second call does no harm.
 template <class T>
 int collect(lua_State* L) {
   auto* handle = static_cast<std::shared_ptr<T>*>(luaL_testudata(L, 1, handle_name<T>));
   if (handle != nullptr) {
-    release(std::move(*handle));
+    handle->reset();
   }
   return 0;
 }

@@ -2,6 +2,9 @@
 
 #include <array>
 
+#include "context.h"
+#include "coroutines.h"
+
 namespace rt::lua {
 namespace {
 
@@ -17,6 +20,55 @@ int load_text_only(lua_State* L) {
   lua_insert(L, 1);
   lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
   return lua_gettop(L);
+}
+
+/// setmetatable without __gc: Lua runs finalisers with hooks off, where no limit but the watchdog's
+/// would hold. The library's own function is the upvalue.
+int setmetatable_without_gc(lua_State* L) {
+  if (lua_istable(L, 2)) {
+    lua_pushliteral(L, "__gc");
+    if (lua_rawget(L, 2) != LUA_TNIL) {
+      return luaL_error(L, "setmetatable: scripts have no finalisers; leave __gc out");
+    }
+    lua_pop(L, 1);
+  }
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_insert(L, 1);
+  lua_call(L, lua_gettop(L) - 1, 1);
+  return 1;
+}
+
+/// A message handler of the script's, the upvalue, unless the script has been stopped: the error of
+/// a stop is raised by a hook, and until it is caught Lua runs with hooks off.
+int handle_message(lua_State* L) {
+  if (!context(L).guard.stopped()) {
+    lua_pushvalue(L, lua_upvalueindex(1));
+    lua_insert(L, 1);
+    lua_call(L, lua_gettop(L) - 1, 1);
+  }
+  return 1;
+}
+
+int all_results(lua_State* L, int, lua_KContext) { return lua_gettop(L); }
+
+/// xpcall(f, handler, ...) with the handler guarded. The library's own function is the upvalue.
+int guarded_xpcall(lua_State* L) {
+  if (lua_isfunction(L, 2)) {
+    lua_pushvalue(L, 2);
+    lua_pushcclosure(L, handle_message, 1);
+    lua_replace(L, 2);
+  }
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_insert(L, 1);
+  lua_callk(L, lua_gettop(L) - 1, LUA_MULTRET, 0, all_results);
+  return lua_gettop(L);
+}
+
+/// Replaces the global function by `wrapper`, which gets it as its upvalue.
+void wrap_global(lua_State* L, const char* name, lua_CFunction wrapper) {
+  lua_getglobal(L, name);
+  lua_pushcclosure(L, wrapper, 1);
+  lua_setglobal(L, name);
 }
 
 void remove(lua_State* L, const char* name) {
@@ -41,9 +93,9 @@ void open_libraries(lua_State* L) {
   lua_pushglobaltable(L);
   remove(L, "dofile");
   remove(L, "loadfile");
-  lua_getfield(L, -1, "load");
-  lua_pushcclosure(L, load_text_only, 1);
-  lua_setfield(L, -2, "load");
+  wrap_global(L, "load", load_text_only);
+  wrap_global(L, "setmetatable", setmetatable_without_gc);
+  wrap_global(L, "xpcall", guarded_xpcall);
   lua_getfield(L, -1, LUA_STRLIBNAME);
   remove(L, "dump");
   lua_pop(L, 2);
@@ -57,6 +109,17 @@ void open_libraries(lua_State* L) {
   }
   lua_pop(L, 1);
   lua_setglobal(L, LUA_OSLIBNAME);
+  open_coroutines(L);
+}
+
+void open_all_libraries(lua_State* L, const char* folder) {
+  luaL_openlibs(L);
+  open_coroutines(L);
+  lua_getglobal(L, LUA_LOADLIBNAME);
+  lua_getfield(L, -1, "path");
+  lua_pushfstring(L, "%s/?.lua;%s", folder, lua_tostring(L, -1));
+  lua_setfield(L, -3, "path");
+  lua_pop(L, 2);
 }
 
 }  // namespace rt::lua

@@ -3,9 +3,13 @@
 
 namespace rt::lua {
 
-/// Opens what scripts may have of Lua's own libraries: base without dofile and loadfile, and with a
-/// `load` that takes text only; table, string without dump, math, utf8, coroutine; and of os the
-/// functions time, clock, date and difftime. Neither io, debug nor package.
+/// Opens what scripts may have of Lua's own libraries: base without dofile and loadfile, with a
+/// `load` that takes text only and a setmetatable that refuses finalisers; table, string without
+/// dump, math, utf8, coroutine; and of os the functions time, clock, date and difftime. Neither io,
+/// debug nor package.
 void open_libraries(lua_State* L);
+
+/// Opens all of them, for a script that is trusted. `folder` is where its modules lie.
+void open_all_libraries(lua_State* L, const char* folder);
 
 }  // namespace rt::lua

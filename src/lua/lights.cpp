@@ -74,7 +74,7 @@ int make_light(Call& call) {
     draft.light.travel = *draft.to - draft.light.position;
   }
   draft.light.where = location(call.L);
-  push<const Light>(call.L, std::make_shared<Light>(draft.light));
+  push<const Light>(call.L, make_charged(call.L, std::move(draft.light)));
   return 1;
 }
 

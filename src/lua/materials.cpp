@@ -21,18 +21,31 @@ constexpr std::array material_fields{
     Field<Material>{"emission", [](const Value& v, Material& m) { m.emission = v.colour(); }},
 };
 
+/// Remembers a material of the script itself, not of a palette that it requires, until a node gets
+/// it.
+void note_unused(const Call& call, const Material* material) {
+  constexpr std::size_t most = 1000;
+  Context& run = call.run();
+  const std::string where = location(call.L);
+  if (where.starts_with(run.script + ":") && run.unused_materials.size() < most) {
+    run.unused_materials[material] = where;
+  }
+}
+
 }  // namespace
 
 int make_material(Call& call) {
   const std::span<const Field<Material>> fields = material_fields;
-  auto material = std::make_shared<Material>();
+  Material material;
   const Value first = call.argument(1, "kd");
   if (call.count() == 1 && first.type() == LUA_TTABLE && !first.is_list()) {
-    read_only_fields(call, first.index(), "", fields, *material);
+    read_only_fields(call, first.index(), "", fields, material);
   } else {
-    read_positional(call, fields.first(6), 3, *material);
+    read_positional(call, fields.first(6), 3, material);
   }
-  push<const Material>(call.L, std::move(material));
+  std::shared_ptr<const Material> shared = make_charged(call.L, std::move(material));
+  note_unused(call, shared.get());
+  push(call.L, std::move(shared));
   return 1;
 }
 

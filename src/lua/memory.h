@@ -1,15 +1,39 @@
 #pragma once
+#include <atomic>
 #include <cstddef>
 #include <cstdlib>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
 
 namespace rt::lua {
 
-/// Counts what a Lua state allocates and refuses what goes over the limit. Lua then collects its
-/// garbage and, when that is not enough, raises "not enough memory".
-struct MemoryMeter {
-  std::size_t limit;
-  std::size_t used = 0;
-  bool refused = false;
+/// Counts what a script takes of memory and refuses what goes over the limit: what its Lua state
+/// allocates (Lua then collects its garbage and, when that is not enough, raises "not enough
+/// memory"), and what the objects made by gr take beside it (Charge).
+class MemoryMeter {
+ public:
+  explicit MemoryMeter(std::size_t limit) : limit_(limit) {}
+
+  std::size_t limit() const { return limit_; }
+  std::size_t left() const {
+    const std::size_t used = lua_ + objects_.load(std::memory_order_relaxed);
+    return used < limit_ ? limit_ - used : 0;
+  }
+
+  bool take(std::size_t bytes) {
+    if (bytes > left()) {
+      return false;
+    }
+    objects_.fetch_add(bytes, std::memory_order_relaxed);
+    return true;
+  }
+  void give_back(std::size_t bytes) { objects_.fetch_sub(bytes, std::memory_order_relaxed); }
+
+  /// Called when Lua is refused memory.
+  void (*on_refusal)(void*) = nullptr;
+  void* refusal_context = nullptr;
 
   /// Lua's allocator: lua_newstate(MemoryMeter::allocate, &meter).
   static void* allocate(void* meter, void* block, std::size_t old_size, std::size_t new_size) {
@@ -17,18 +41,53 @@ struct MemoryMeter {
     const std::size_t before = block == nullptr ? 0 : old_size;  // else old_size is a type tag
     if (new_size == 0) {
       std::free(block);
-      self.used -= before;
+      self.lua_ -= before;
       return nullptr;
     }
-    const bool fits = new_size <= before || new_size - before <= self.limit - self.used;
+    const bool fits = new_size <= before || new_size - before <= self.left();
     void* result = fits ? std::realloc(block, new_size) : nullptr;
     if (result == nullptr) {
-      self.refused = true;
+      if (self.on_refusal != nullptr) {
+        self.on_refusal(self.refusal_context);
+      }
       return nullptr;
     }
-    self.used = self.used - before + new_size;
+    self.lua_ = self.lua_ - before + new_size;
     return result;
   }
+
+ private:
+  std::size_t limit_;
+  std::size_t lua_ = 0;
+  std::atomic<std::size_t> objects_{0};  // a snapshot's meshes may be released on another thread
+};
+
+/// A share of the meter, given back when it goes. It keeps the meter alive: a RenderJob may outlive
+/// its script.
+class Charge {
+ public:
+  Charge() = default;
+  explicit Charge(std::shared_ptr<MemoryMeter> meter) : meter_(std::move(meter)) {}
+  Charge(Charge&& other) noexcept
+      : meter_(std::move(other.meter_)), bytes_(std::exchange(other.bytes_, 0)) {}
+  Charge& operator=(Charge&&) = delete;
+  ~Charge() {
+    if (bytes_ > 0) {
+      meter_->give_back(bytes_);
+    }
+  }
+
+  bool grow(std::size_t bytes) {
+    if (!meter_->take(bytes)) {
+      return false;
+    }
+    bytes_ += bytes;
+    return true;
+  }
+
+ private:
+  std::shared_ptr<MemoryMeter> meter_;
+  std::size_t bytes_ = 0;
 };
 
 }  // namespace rt::lua

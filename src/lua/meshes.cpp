@@ -1,8 +1,6 @@
 /// gr.mesh: from a file, or from tables of vertices and faces.
 #include <fmt/format.h>
 
-#include <array>
-
 #include "describe.h"
 #include "files.h"
 #include "functions.h"
@@ -13,13 +11,33 @@ namespace {
 
 constexpr std::size_t max_vertices = 0xffff'ffffu;
 
+template <class T>
+std::size_t bytes_of(const std::vector<T>& list) {
+  return list.capacity() * sizeof(T);
+}
+
+/// The same mesh, charged for.
+std::shared_ptr<const MeshData> charged(lua_State* L, std::shared_ptr<const MeshData> mesh) {
+  const std::size_t bytes = bytes_of(mesh->positions) + bytes_of(mesh->triangles) +
+                            bytes_of(mesh->normals) + bytes_of(mesh->triangle_normals) +
+                            bytes_of(mesh->uvs) + bytes_of(mesh->triangle_uvs);
+  const MeshData* data = mesh.get();
+  return {make_charged(L, std::move(mesh), bytes), data};
+}
+
 std::shared_ptr<const MeshData> mesh_of_file(const Call& call, const std::string& name) {
   Context& run = call.run();
-  const std::array folders{run.script_folder, run.working_folder};
-  const FoundFile file = find_file(call, name, folders);
+  const FoundFile file = find_file(call, name, run.mesh_folders);
   auto& mesh = run.meshes[file.real];
   if (!mesh) {
-    mesh = run.host.load_mesh(file.shown);  // so that its messages show the path as given
+    {
+      // While it is being read a file takes a few times its size.
+      std::error_code error;
+      const auto bytes = std::filesystem::file_size(file.real, error);
+      Charge reading(run.memory);
+      charge(call.L, reading, error ? 0 : 3 * bytes);
+    }
+    mesh = charged(call.L, run.host.load_mesh(file.shown));  // shown: so do its messages
   }
   return mesh;
 }
@@ -46,6 +64,9 @@ std::size_t for_each_item(const Value& value, std::string_view expected, Each ea
 std::vector<Vec3> read_vertices(const Value& vertices) {
   const Call& call = vertices.call();
   std::vector<Vec3> positions;
+  Charge cost(call.run().memory);
+  charge(call.L, cost,
+         (vertices.type() == LUA_TTABLE ? lua_rawlen(call.L, vertices.index()) : 0) * sizeof(Vec3));
   for_each_item(vertices, "a list of vertices {{x, y, z}, ...}", [&](std::size_t i) {
     const std::string name = fmt::format("vertex {}", i - 1);
     positions.push_back(Value(call, lua_gettop(call.L), "", name).triple());
@@ -72,12 +93,14 @@ std::vector<Corners> read_faces(const Value& faces, std::size_t vertices) {
   const Call& call = faces.call();
   lua_State* L = call.L;
   std::vector<Corners> triangles;
+  Charge cost(call.run().memory);  // face by face: one table may stand for a thousand of them
   for_each_item(faces, "a list of faces {{0, 1, 2}, ...}", [&](std::size_t face) {
     const std::size_t corners = lua_istable(L, -1) ? lua_rawlen(L, -1) : 0;
     if (corners < 3) {
       call.fail(fmt::format("face {}: expected three or more vertices {{0, 1, 2}}, got {}", face,
                             describe(L, -1)));
     }
+    charge(L, cost, 2 * (corners - 2) * sizeof(Corners));
     const std::uint32_t first = read_corner(call, face, 1, vertices);
     std::uint32_t previous = read_corner(call, face, 2, vertices);
     for (std::size_t i = 3; i <= corners; ++i) {
@@ -100,12 +123,12 @@ int make_mesh(Call& call) {
     auto data = std::make_shared<MeshData>();
     data->positions = read_vertices(source);
     data->triangles = read_faces(call.argument(3, "faces"), data->positions.size());
-    mesh = std::move(data);
+    mesh = charged(call.L, std::move(data));
   } else {
     call.takes_at_most(2);
     mesh = mesh_of_file(call, source.text("a file name or a list of vertices"));
   }
-  return push_new_node(call, Mesh{std::move(mesh)});
+  return push_new_node(call, make_charged(call.L, Shape(Mesh{std::move(mesh)})));
 }
 
 }  // namespace rt::lua

@@ -3,6 +3,7 @@
 
 #include "call.h"
 #include "functions.h"
+#include "nodes.h"
 
 namespace rt::lua {
 namespace {
@@ -30,12 +31,15 @@ int axis_argument(const Value& value) {
 }  // namespace
 
 int node_add_child(Call& call) {
-  rt::add_child(*call.self(), call.argument(1, "child").object<Node>());
+  auto child = call.argument(1, "child").object<Node>();
+  charge_child(call, *call.self());
+  rt::add_child(*call.self(), std::move(child));
   return call.return_self();
 }
 
 int node_set_material(Call& call) {
   call.self()->material = call.argument(1).object<const Material>();
+  call.run().unused_materials.erase(call.self()->material.get());
   return call.return_self();
 }
 
@@ -45,20 +49,21 @@ int node_set_texture(Call& call) {
 }
 
 int node_translate(Call& call) {
-  rt::translate(*call.self(), vector_argument(call));
+  rt::translate(*call.self(), vector_argument(call), call.run().settings.order);
   return call.return_self();
 }
 
 int node_rotate(Call& call) {
   const int axis = axis_argument(call.argument(1, "axis"));
-  rt::rotate(*call.self(), axis, call.argument(2, "degrees").number());
+  rt::rotate(*call.self(), axis, call.argument(2, "degrees").number(), call.run().settings.order);
   return call.return_self();
 }
 
 int node_scale(Call& call) {
   const bool uniform = call.argument(1).type() == LUA_TNUMBER && !call.argument(2).given() &&
                        !call.argument(3).given();
-  rt::scale(*call.self(), uniform ? Vec3(call.argument(1).number()) : vector_argument(call));
+  rt::scale(*call.self(), uniform ? Vec3(call.argument(1).number()) : vector_argument(call),
+            call.run().settings.order);
   return call.return_self();
 }
 

@@ -12,11 +12,15 @@ namespace {
 /// Address under which the registry holds the results of modules by their real path.
 constexpr char modules_key = 0;
 
-FoundFile find_in_script_folder(const Call& call, const std::string& name) {
-  return find_file(call, name, std::span(&call.run().script_folder, 1));
+FoundFile find_module(const Call& call, const std::string& name) {
+  return find_file(call, name, call.run().module_folders);
 }
 
 void load(lua_State* L, const FoundFile& file) {
+  constexpr std::size_t most = 1000;
+  if (context(L).sources.size() < most) {
+    context(L).sources.emplace(file.shown, file.real);
+  }
   if (load_text(L, read_file(file.real, file.shown), file.shown) != LUA_OK) {
     lua_error(L);  // its message has file and line
   }
@@ -71,7 +75,7 @@ int require_module(Call& call) {
   }
   std::string path = name;
   std::ranges::replace(path, '.', '/');
-  const FoundFile file = find_in_script_folder(call, path + ".lua");
+  const FoundFile file = find_module(call, path + ".lua");
   const std::string key = file.real.string();
 
   push_modules(L);
@@ -87,7 +91,9 @@ int require_module(Call& call) {
   lua_call(L, 1, 1);
   if (lua_isnil(L, -1)) {
     lua_pop(L, 1);
-    lua_pushboolean(L, 1);
+    if (!push_library(L, name)) {  // unless the file called module()
+      lua_pushboolean(L, 1);
+    }
   }
   lua_pushlstring(L, key.data(), key.size());
   lua_pushvalue(L, -2);
@@ -98,7 +104,7 @@ int require_module(Call& call) {
 int run_file(Call& call) {
   lua_State* L = call.L;
   const std::string name = call.argument(1).text("a file name (string)");
-  const FoundFile file = find_in_script_folder(call, name);
+  const FoundFile file = find_module(call, name);
   const int before = lua_gettop(L);
   load(L, file);
   lua_call(L, 0, LUA_MULTRET);

@@ -253,13 +253,15 @@ int render(Call& call) {
   }
   check(draft.job.camera);
 
-  Flattened flat = flatten(*draft.scene);
+  Flattened flat = flatten(*draft.scene, call.run().memory->left() / instance_bytes);
   for (const std::string& warning : flat.warnings) {
     warn_once(call.L, warning, warning);
   }
   draft.job.instances = std::move(flat.instances);
   draft.job.where = location(call.L);
   if (call.run().host.render) {
+    call.run().rendered = true;
+    const Guard::Pause pause(call.run().guard);
     call.run().host.render(std::move(draft.job));
   }
   return 0;

@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
 #include <lua.hpp>
 
 #include "binding.h"
+#include "compat.h"
 #include "context.h"
+#include "excerpt.h"
 #include "files.h"
 #include "libraries.h"
 #include "memory.h"
@@ -23,7 +27,7 @@ struct Program {
 /// A Lua state that is closed when it goes out of scope, while its context still stands.
 class State {
  public:
-  State(Context& run, MemoryMeter& meter) : L(lua_newstate(MemoryMeter::allocate, &meter)) {
+  explicit State(Context& run) : L(lua_newstate(MemoryMeter::allocate, run.memory.get())) {
     if (L == nullptr) {
       throw UserError(ExitCode::limit, "there is not enough memory to start Lua");
     }
@@ -51,7 +55,14 @@ void set_arg(lua_State* L, const Program& program) {
 /// Sets everything up and runs the script; called protected, for even this can lack memory.
 int run_program(lua_State* L) {
   const auto& program = *static_cast<const Program*>(lua_touserdata(L, 1));
-  open_libraries(L);
+  const Context& run = context(L);
+  if (run.settings.trust) {
+    const auto& shown = run.module_folders.front().shown;
+    open_all_libraries(L, shown.empty() ? "." : shown.c_str());
+  } else {
+    open_libraries(L);
+  }
+  open_compat(L);
   open_bindings(L);
   set_arg(L, program);
   if (load_text(L, program.source, program.name) != LUA_OK) {
@@ -67,6 +78,11 @@ int run_program(lua_State* L) {
 
 /// Message handler: a text of whatever was raised.
 int error_text(lua_State* L) {
+  if (context(L).settings.verbose) {
+    luaL_traceback(L, L, nullptr, 1);
+    context(L).traceback = lua_tostring(L, -1);
+    lua_pop(L, 1);
+  }
   if (lua_type(L, 1) == LUA_TSTRING) {
     return 1;
   }
@@ -79,50 +95,100 @@ int error_text(lua_State* L) {
   return 1;
 }
 
-[[noreturn]] void throw_memory_error(const Context& run, const MemoryMeter& meter) {
-  throw UserError(ExitCode::limit,
-                  fmt::format("{}: the script needs more memory than its limit of {} MB",
-                              run.script, meter.limit >> 20));
-}
+/// How the script ended: an exit code and a message.
+struct End {
+  ExitCode code;
+  std::string message;
+};
 
-/// Throws what the script ended with.
-[[noreturn]] void throw_error(lua_State* L, int status, const Context& run,
-                              const MemoryMeter& meter) {
+End end_of(lua_State* L, int status, const Context& run) {
+  if (run.guard.stopped()) {
+    return {run.guard.stopped()->code(), run.guard.stopped()->what()};
+  }
   std::size_t size = 0;
   const char* data = lua_tolstring(L, -1, &size);
-  const std::string message = data == nullptr ? "unknown error" : std::string(data, size);
-  if (status == LUA_ERRMEM ||
-      (meter.refused && message.find("not enough memory") != std::string::npos)) {
-    throw_memory_error(run, meter);
+  std::string message = data == nullptr ? "unknown error" : std::string(data, size);
+  const bool about_memory = message.find("not enough memory") != message.npos;
+  if (status == LUA_ERRMEM || (run.refused && about_memory)) {
+    const std::string& where = run.refused_at.empty() ? run.script : run.refused_at;
+    return {ExitCode::limit, fmt::format("{}: {}", where, memory_limit_text(*run.memory))};
   }
-  if (!run.coded_message.empty() && message.find(run.coded_message) != std::string::npos) {
-    throw UserError(run.coded_code, message);
+  for (const auto& coded : run.coded_errors) {
+    if (message.find(coded.message) != message.npos) {
+      return {coded.code, std::move(message)};
+    }
   }
-  throw SceneError(message);
+  return {ExitCode::scene, std::move(message)};
+}
+
+[[noreturn]] void throw_end(const End& end, const Context& run) {
+  const std::string message = with_full_names(end.message, run.sources);
+  std::string report = with_excerpt(message, run.sources);
+  if (!run.traceback.empty()) {
+    report = fmt::format("{}\n{}", report.empty() ? message : report,
+                         with_full_names(run.traceback, run.sources));
+  }
+  switch (end.code) {
+    case ExitCode::scene:
+      throw SceneError(message, report);
+    case ExitCode::file:
+      throw FileError(message, report);
+    default:
+      throw UserError(end.code, message, report);
+  }
+}
+
+void warn_of_unused_materials(const Context& run) {
+  if (!run.rendered || run.unused_materials.empty() || !run.host.warn) {
+    return;
+  }
+  std::vector<std::string> places;
+  for (const auto& [material, where] : run.unused_materials) {
+    places.push_back(where);
+  }
+  std::ranges::sort(places);
+  run.host.warn(
+      fmt::format("{}: the material made here is set on no node{}", places.front(),
+                  places.size() > 1 ? fmt::format(" (nor are {} more)", places.size() - 1) : ""));
+}
+
+void note_refusal(void* context) {
+  auto& run = *static_cast<Context*>(context);
+  run.refused = true;
+  if (lua_State* L = run.guard.running()) {
+    run.refused_at = location(L);
+  }
 }
 
 }  // namespace
 
 void run_script(const std::filesystem::path& path, const std::vector<std::string>& args,
-                const Host& host, const Limits& limits) {
+                const Host& host, const Settings& settings) {
   Program program{read_file(path, path.string()), path.string(), args};
+  Guard guard(settings.limits, settings.trust, program.name);
+  const std::size_t memory =
+      settings.trust ? std::numeric_limits<std::size_t>::max() : settings.limits.memory;
   Context run{.host = host,
+              .settings = settings,
+              .guard = guard,
+              .memory = std::make_shared<MemoryMeter>(memory),
               .script = program.name,
-              .script_folder = folder(path.parent_path()),
-              .working_folder = folder({}),
-              .loading = {},
-              .meshes = {},
-              .said = {},
-              .coded_message = {}};
-  MemoryMeter meter{.limit = limits.memory};
-  const State state(run, meter);
+              .module_folders = module_folders(path, settings),
+              .mesh_folders = mesh_folders(path, settings)};
+  run.sources.emplace(program.name, path);
+  run.memory->on_refusal = note_refusal;
+  run.memory->refusal_context = &run;
+  const State state(run);
   lua_pushcfunction(state.L, error_text);
   lua_pushcfunction(state.L, run_program);
   lua_pushlightuserdata(state.L, &program);
+  guard.begin(state.L);
   const int status = lua_pcall(state.L, 1, 0, 1);
-  if (status != LUA_OK) {
-    throw_error(state.L, status, run, meter);
+  guard.end();
+  if (status != LUA_OK || guard.stopped()) {
+    throw_end(end_of(state.L, status, run), run);
   }
+  warn_of_unused_materials(run);
 }
 
 }  // namespace rt::lua

@@ -12,7 +12,7 @@ int make_checker(Call& call) {
   if (call.argument(3).given()) {
     checker.size = call.argument(3, "size").number(positive);
   }
-  push<const Texture>(call.L, std::make_shared<const Texture>(checker));
+  push<const Texture>(call.L, make_charged(call.L, Texture(checker)));
   return 1;
 }
 

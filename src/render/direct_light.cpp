@@ -99,8 +99,10 @@ Rgb visibility(const RenderPlan& plan, const ShadingPoint& from, const Vec3& way
       break;
     }
     ++counts.shadow;
-    share *= 1.0 - plan.materials[plan.instances[hit->instance].material].opacity;
     at = shading_point(plan, ray, *hit);
+    if (!hides(plan, media_about(plan, at, way), hit->instance)) {
+      share *= 1.0 - plan.materials[plan.instances[hit->instance].material].opacity;
+    }
     rest -= hit->t;
   }
   return share;

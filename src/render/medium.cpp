@@ -1,16 +1,41 @@
 #include "rt/render/medium.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <variant>
 
 #include "rt/render/query.h"
 
 namespace rt {
 namespace {
 
-/// Whether the space just ahead lies inside the instance: the ray's next crossing leads out.
-bool inside(const RenderPlan& plan, std::uint32_t id, const TraceRay& ray) {
+/// Whether the instance's next crossing leads out of it; empty when there is none.
+std::optional<bool> leads_out(const RenderPlan& plan, std::uint32_t id, const TraceRay& ray) {
   const auto hit = instance_hit(plan, id, ray);
-  return hit && shading_point(plan, ray, *hit).side == Leaving::inward;
+  return hit ? std::optional(shading_point(plan, ray, *hit).side == Leaving::inward) : std::nullopt;
+}
+
+/// Whether the space just ahead lies inside the instance.
+bool inside(const RenderPlan& plan, std::uint32_t id, const TraceRay& ray) {
+  if (ray.instance == id) {
+    return ray.leaving == Leaving::inward;
+  }
+  if (const auto out = leads_out(plan, id, ray)) {
+    return *out;
+  }
+  if (!std::holds_alternative<Plane>(*plan.instances[id].shape)) {
+    return false;
+  }
+  // A plane bounds the half-space below it, which has no end ahead of a ray that goes down. Then
+  // the plane lies behind, unless the ray starts on it or runs along it.
+  TraceRay back = ray;
+  back.direction = -ray.direction;
+  if (const auto out = leads_out(plan, id, back)) {
+    return *out;
+  }
+  const Ray in_model = model_ray(plan.instances[id], ray);
+  return in_model.direction.y < 0.0 || (in_model.direction.y == 0.0 && in_model.origin.y < 0.0);
 }
 
 }  // namespace
@@ -34,6 +59,14 @@ Media media_about(const RenderPlan& plan, const ShadingPoint& point, const Vec3&
                                           : Media{point.instance, no_instance};
   }
   return {medium_ahead(plan, point, -direction), medium_ahead(plan, point, direction)};
+}
+
+bool hides(const RenderPlan& plan, const Media& media, std::uint32_t instance) {
+  if (media.before != media.behind || media.before == no_instance) {
+    return false;
+  }
+  const auto candidates = plan.media_about(instance);  // smallest first
+  return std::ranges::find(candidates, media.before) < std::ranges::find(candidates, instance);
 }
 
 double index_of(const RenderPlan& plan, std::uint32_t medium) {

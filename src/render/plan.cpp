@@ -13,7 +13,7 @@ namespace rt {
 namespace {
 
 // Up to so many boxes a list is faster than a hierarchy (bench/NOTES.md).
-constexpr std::size_t few = 48;
+constexpr std::size_t few = 96;
 
 enum class Candidates { one_by_one, list, tree };
 
@@ -21,7 +21,10 @@ Candidates candidates_for(const RenderOptions& options, std::size_t boxes) {
   if (!options.acceleration || options.accel == AccelChoice::none || boxes == 0) {
     return Candidates::one_by_one;
   }
-  return options.accel == AccelChoice::bvh || boxes > few ? Candidates::tree : Candidates::list;
+  if (options.accel == AccelChoice::automatic) {
+    return boxes > few ? Candidates::tree : Candidates::list;
+  }
+  return options.accel == AccelChoice::bvh ? Candidates::tree : Candidates::list;
 }
 
 class Planner {
@@ -47,6 +50,9 @@ class Planner {
     }
     for (const Light& light : job_.lights) {
       place(light);
+    }
+    if (plan_.absorbs) {
+      let_clear_glass_dim();
     }
     find_media(plan_, all_boxes_);
     switch (candidates_for(plan_.options, boxes_.size())) {
@@ -203,7 +209,8 @@ class Planner {
     to.transmissive = to.opacity < 1.0;
     const double brightest = max_abs(to.ks) * brightest_light_;
     if (to.shininess > 0.0 && brightest > 0.0) {
-      to.least_r_dot_v = std::pow(negligible_light(options) / brightest, 1.0 / to.shininess);
+      to.least_r_dot_v =
+          std::pow(negligible_light(options, job_.lights.size()) / brightest, 1.0 / to.shininess);
     }
     const bool mirrors = to.transmissive || to.reflectivity != Rgb(0.0);
     if (mirrors && to.glossiness > 0.0) {
@@ -212,6 +219,15 @@ class Planner {
     }
     plan_.absorbs |= to.transmissive && to.absorption != Rgb(0.0);
     return to;
+  }
+
+  /// Where some medium absorbs, clear glass displaces it: shadow rays have to meet its surface.
+  void let_clear_glass_dim() {
+    for (PlannedInstance& instance : plan_.instances) {
+      if (plan_.materials[instance.material].transmissive) {
+        instance.shadow = Shadow::dims;
+      }
+    }
   }
 
   static Shadow shadow_of(const PlannedMaterial& material) {

@@ -50,8 +50,10 @@ struct Tracer::Scatter {
   const ShadingPoint& point;
   const PlannedMaterial& material;
   const Vec3& direction;
-  double n1 = 1.0, n2 = 1.0;  ///< of the media before and behind the surface
+  Media media;                ///< of glass
+  double n1 = 1.0, n2 = 1.0;  ///< indices of the media before and behind the surface
   bool divided = false;       ///< both branches are followed
+  bool chosen = false;        ///< one of them was chosen by chance
 };
 
 Tracer::Tracer(const RenderPlan& plan)
@@ -85,13 +87,26 @@ void Tracer::follow(Path& path) {
   const ShadingPoint point = shading_point(plan_, path.ray, *hit);
   const PlannedMaterial& material = plan_.materials[plan_.instances[hit->instance].material];
   const Vec3& direction = path.ray.direction;
+  Media media{no_instance, no_instance};
+  if (material.transmissive) {
+    media = media_about(plan_, point, direction);
+  } else if (plan_.absorbs) {
+    media.before = medium_ahead(plan_, point, -direction);
+  }
   if (plan_.absorbs) {
-    const std::uint32_t medium = medium_ahead(plan_, point, -direction);
-    path.throughput *= transmittance(plan_, medium, hit->t);
+    path.throughput *= transmittance(plan_, media.before, hit->t);
+  }
+  const bool deepest = path.depth >= plan_.options.max_depth;
+  const Scatter at{path, point, material, direction, media};
+  if (material.transmissive && hides(plan_, media, hit->instance)) {
+    if (!deepest) {
+      add(at, direction, path.throughput, false);
+    }
+    return;
   }
   sum_ += path.throughput * surface(path, point, material, direction);
-  if (path.depth < plan_.options.max_depth) {
-    scatter(path, point, material, direction);
+  if (!deepest) {
+    scatter(at);
   }
 }
 
@@ -99,7 +114,8 @@ Rgb Tracer::surface(const Path& path, const ShadingPoint& point, const PlannedMa
                     const Vec3& direction) {
   const Phong phong{base_colour(plan_, point, material) * material.opacity, material.ks,
                     material.shininess, material.least_r_dot_v};
-  const double negligible = negligible_light(plan_.options) / largest(path.throughput);
+  const double negligible =
+      negligible_light(plan_.options, plan_.lights.size()) / largest(path.throughput);
   Rgb sum = material.emission + phong.kd * plan_.ambient;
   const auto lights = static_cast<std::uint32_t>(plan_.lights.size());
   for (std::uint32_t i = 0; i < lights; ++i) {
@@ -110,21 +126,19 @@ Rgb Tracer::surface(const Path& path, const ShadingPoint& point, const PlannedMa
   return sum;
 }
 
-void Tracer::scatter(const Path& path, const ShadingPoint& point, const PlannedMaterial& material,
-                     const Vec3& direction) {
-  Scatter at{path, point, material, direction};
-  if (!material.transmissive) {
+void Tracer::scatter(const Scatter& at) {
+  if (!at.material.transmissive) {
     if (plan_.options.reflection) {
-      reflect(at, path.throughput * material.reflectivity);
+      reflect(at, at.path.throughput * at.material.reflectivity);
     }
     return;
   }
-  const Media media = media_about(plan_, point, direction);
-  at.n1 = index_of(plan_, media.before);
-  at.n2 = index_of(plan_, media.behind);
-  const double cos_i = std::min(1.0, std::abs(glm::dot(direction, point.shading_normal)));
-  const double f = fresnel(cos_i, at.n1, at.n2);
-  divide(at, plan_.options.reflection ? f : 0.0, (1.0 - material.opacity) * (1.0 - f));
+  Scatter glass = at;
+  glass.n1 = index_of(plan_, at.media.before);
+  glass.n2 = index_of(plan_, at.media.behind);
+  const double cos_i = std::min(1.0, std::abs(glm::dot(at.direction, at.point.shading_normal)));
+  const double f = fresnel(cos_i, glass.n1, glass.n2);
+  divide(glass, plan_.options.reflection ? f : 0.0, (1.0 - at.material.opacity) * (1.0 - f));
 }
 
 void Tracer::divide(const Scatter& at, double reflected, double transmitted) {
@@ -137,10 +151,14 @@ void Tracer::divide(const Scatter& at, double reflected, double transmitted) {
     both.divided = reflected > 0.0 && transmitted > 0.0;
     transmit(both, throughput * transmitted);
     reflect(both, throughput * reflected);
-  } else if (sampler_->lobe_choice(at.path.vertex) < p) {
-    reflect(at, throughput * total);
   } else {
-    transmit(at, throughput * total);
+    Scatter one = at;
+    one.chosen = true;
+    if (sampler_->lobe_choice(at.path.vertex) < p) {
+      reflect(one, throughput * total);
+    } else {
+      transmit(one, throughput * total);
+    }
   }
 }
 
@@ -185,7 +203,7 @@ void Tracer::add(const Scatter& at, const Vec3& direction, const Rgb& throughput
     // Branches are told apart as the nodes of a binary tree; they wrap harmlessly far down.
     next.vertex.copy = 2 * next.vertex.copy + (outward ? 2 : 1);
   }
-  if (drawn) {
+  if (drawn || at.chosen) {
     ++next.vertex.order;
   }
   const double weight = largest(throughput);
@@ -193,11 +211,12 @@ void Tracer::add(const Scatter& at, const Vec3& direction, const Rgb& throughput
     if (!plan_.random) {
       return;
     }
-    // Roulette: the survivors carry the weight of the others.
-    const Vertex roulette{at.path.vertex.order, ~next.vertex.copy};
-    if (sampler_->lobe_choice(roulette) * negligible_ >= weight) {
+    // Roulette: the survivors carry the weight of the others. Its draw is multiplied with those
+    // before and after it, so it has an order of its own.
+    if (sampler_->lobe_choice(next.vertex) * negligible_ >= weight) {
       return;
     }
+    ++next.vertex.order;
     next.throughput *= negligible_ / weight;
   }
   ++(outward ? counts_->reflection : counts_->refraction);

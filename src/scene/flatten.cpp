@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <unordered_map>
-
 #include "rt/scene/error.h"
 #include "rt/scene/node.h"
 
@@ -9,12 +7,38 @@ namespace rt {
 namespace {
 
 constexpr std::size_t max_graph_depth = 10'000;
-constexpr std::size_t max_instances = 20'000'000;
+
+/// Nodes are visited at most so often for each instance allowed: groups that are shared again and
+/// again, and hold nothing, must come to an end too.
+constexpr std::size_t visits_per_instance = 8;
+
+/// How many shapes there are under `root`, counted no further than `enough`. Cheap beside placing
+/// them, and it lets them be stored without ever moving.
+std::size_t count_shapes(const Node& root, std::size_t enough) {
+  std::size_t count = 0;
+  std::vector<const Node*> open{&root};
+  for (std::size_t visits = 0; !open.empty() && count < enough; ++visits) {
+    if (visits / visits_per_instance >= enough) {
+      break;
+    }
+    const Node& node = *open.back();
+    open.pop_back();
+    count += node.shape ? 1 : 0;
+    for (const auto& child : node.children) {
+      open.push_back(child.get());
+    }
+  }
+  return count;
+}
 
 class Flattener {
  public:
+  explicit Flattener(std::size_t max_instances) : max_instances_(max_instances) {}
+
   Flattened take(const Node& root) {
+    result_.instances.reserve(count_shapes(root, max_instances_));
     // An explicit stack: a chain of nodes is as deep as the script likes.
+<<<<<<< HEAD
     std::vector<Visit> open{{&root, Affine{}, nullptr, {}, 1}};
     while (!open.empty()) {
       const Visit visit = open.back();
@@ -34,6 +58,17 @@ class Flattener {
       }
       for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
         open.push_back({child->get(), above_from_node, path, paint, visit.depth + 1});
+=======
+    std::vector<Visit> open;
+    enter(root, Visit{nullptr, Affine{}, {}}, open);
+    while (!open.empty()) {
+      Visit& visit = open.back();
+      if (visit.next < visit.node->children.size()) {
+        const Node& child = *visit.node->children[visit.next++];
+        enter(child, visit, open);
+      } else {
+        open.pop_back();
+>>>>>>> main
       }
     }
     warn_of_missing_materials();
@@ -46,14 +81,34 @@ class Flattener {
     std::shared_ptr<const Texture> texture;
   };
 
+  /// A node whose children are being visited.
   struct Visit {
     const Node* node;
+<<<<<<< HEAD
     /// "Above" is the space of the nearest moving node, or the world.
     Affine above_from_parent;
     std::shared_ptr<const MotionPath> path;  ///< from the world to that node; null: none moves
+=======
+    Affine world_from_node;
+>>>>>>> main
     Paint paint;
-    std::size_t depth;
+    std::size_t next = 0;  ///< child to visit
   };
+
+  void enter(const Node& node, const Visit& parent, std::vector<Visit>& open) {
+    check_depth(node, open.size() + 1);
+    if (++visits_ / visits_per_instance >= max_instances_) {
+      refuse(node);
+    }
+    const Affine world_from_node = parent.world_from_node * node.parent_from_node;
+    const Paint paint = painted(node, parent.paint);
+    if (node.shape) {
+      place(node, world_from_node, paint);
+    }
+    if (!node.children.empty()) {
+      open.push_back({&node, world_from_node, paint});
+    }
+  }
 
   /// A material set here comes with the texture set here, or none; else both are the parent's, but
   /// for a texture set here.
@@ -71,10 +126,22 @@ class Flattener {
     }
   }
 
+<<<<<<< HEAD
   void place(const Node& node, const Affine& above_from_model,
              const std::shared_ptr<const MotionPath>& above, const Paint& paint) {
     const auto path = above ? extended(above, {above_from_model, nullptr}) : nullptr;
     const Affine world_from_model = path ? path->at(0.0) : above_from_model;
+=======
+  [[noreturn]] void refuse(const Node& node) const {
+    throw UserError(ExitCode::limit,
+                    fmt::format("at node '{}' the scene comes to more than {} shapes, for which "
+                                "there is no memory (a node counts once for each way that leads "
+                                "to it)",
+                                node.name, max_instances_));
+  }
+
+  void place(const Node& node, const Affine& world_from_model, const Paint& paint) {
+>>>>>>> main
     const auto model_from_world = inverse(world_from_model);
     if (!model_from_world) {
       throw SceneError(fmt::format(
@@ -82,15 +149,10 @@ class Flattener {
           "their scales are too extreme or not finite",
           node.name, node.where.empty() ? "" : " (" + node.where + ")"));
     }
-    if (result_.instances.size() >= max_instances) {
-      throw SceneError(
-          fmt::format("node '{}': the scene has more than {} shapes", node.name, max_instances));
+    if (result_.instances.size() >= max_instances_) {
+      refuse(node);
     }
-    auto& shape = shapes_[&node];
-    if (!shape) {
-      shape = std::make_shared<const Shape>(*node.shape);
-    }
-    result_.instances.push_back({world_from_model, *model_from_world, shape,
+    result_.instances.push_back({world_from_model, *model_from_world, node.shape,
                                  paint.material ? paint.material : default_material(node),
                                  paint.texture, node.name, path});
   }
@@ -113,8 +175,9 @@ class Flattener {
     }
   }
 
+  std::size_t max_instances_;
+  std::size_t visits_ = 0;
   Flattened result_;
-  std::unordered_map<const Node*, std::shared_ptr<const Shape>> shapes_;
   std::shared_ptr<const Material> default_material_;
   std::string first_without_material_;
   std::size_t without_material_ = 0;
@@ -122,6 +185,8 @@ class Flattener {
 
 }  // namespace
 
-Flattened flatten(const Node& root) { return Flattener().take(root); }
+Flattened flatten(const Node& root, std::size_t max_instances) {
+  return Flattener(max_instances).take(root);
+}
 
 }  // namespace rt

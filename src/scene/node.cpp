@@ -16,6 +16,11 @@ void require_finite(const Node& node, const char* method, const Vec3& v) {
   }
 }
 
+void apply(Node& node, const Affine& map, TransformOrder order) {
+  node.parent_from_node =
+      order == TransformOrder::pre ? map * node.parent_from_node : node.parent_from_node * map;
+}
+
 bool reaches(const Node& from, const Node& target) {
   std::vector<const Node*> open{&from};
   std::unordered_set<const Node*> seen;
@@ -36,17 +41,35 @@ bool reaches(const Node& from, const Node& target) {
 
 }  // namespace
 
-void translate(Node& node, const Vec3& by) {
+Node::~Node() {
+  std::vector<std::shared_ptr<Node>> going = std::move(children);
+  while (!going.empty()) {
+    const std::shared_ptr<Node> last = std::move(going.back());
+    going.pop_back();
+    if (last.use_count() == 1) {
+      for (auto& child : last->children) {
+        going.push_back(std::move(child));
+      }
+      last->children.clear();
+    }
+  }
+}
+
+void translate(Node& node, const Vec3& by, TransformOrder order) {
   require_finite(node, "translate", by);
-  node.parent_from_node = Affine::translation(by) * node.parent_from_node;
+  if (order == TransformOrder::pre) {
+    node.parent_from_node.offset += by;
+  } else {
+    apply(node, Affine::translation(by), order);
+  }
 }
 
-void rotate(Node& node, int axis, double degrees) {
+void rotate(Node& node, int axis, double degrees, TransformOrder order) {
   require_finite(node, "rotate", Vec3(degrees));
-  node.parent_from_node = Affine::rotation(axis, degrees) * node.parent_from_node;
+  apply(node, Affine::rotation(axis, degrees), order);
 }
 
-void scale(Node& node, const Vec3& factors) {
+void scale(Node& node, const Vec3& factors, TransformOrder order) {
   require_finite(node, "scale", factors);
   if (factors.x == 0.0 || factors.y == 0.0 || factors.z == 0.0) {
     throw SceneError(
@@ -54,7 +77,13 @@ void scale(Node& node, const Vec3& factors) {
                     "use a small factor instead",
                     node.name, factors.x, factors.y, factors.z));
   }
-  node.parent_from_node = Affine::scaling(factors) * node.parent_from_node;
+  Affine& map = node.parent_from_node;
+  if (order == TransformOrder::pre) {
+    map = {{map.linear[0] * factors, map.linear[1] * factors, map.linear[2] * factors},
+           map.offset * factors};
+  } else {
+    apply(node, Affine::scaling(factors), order);
+  }
 }
 
 void add_child(Node& parent, std::shared_ptr<Node> child) {

@@ -94,16 +94,18 @@ Crossings<T> crossings(const Cylinder&, const Line<T>& line, double offset) {
   return chord.crossings();
 }
 
-/// The nappe of the blob's cone below its apex, moved outward by `offset` along its normals.
+/// The nappe of a cone below its apex, which falls by `steepness` for each unit that it widens,
+/// moved outward by `offset` along its normals.
 template <class T>
-void clip_cone(WideChord<T>& chord, const Line<T>& line, double offset) {
+void clip_cone(WideChord<T>& chord, const Line<T>& line, const T& apex_height, double steepness,
+               double offset) {
   using std::sqrt;
-  const T root26 = sqrt(T(26.0));
-  const T apex = root26 + T(offset) * root26;  // the normal's y is 1 / sqrt(26)
+  const T length = sqrt(T(steepness * steepness + 1));  // the normal's y is 1 / length
+  const T apex = apex_height + T(offset) * length;
   const Wide3<T>& o = line.origin;
   const Wide3<T>& d = line.direction;
-  const T width = (apex - o.y) / T(5.0);
-  const T growth = -d.y / T(5.0);
+  const T width = (apex - o.y) / T(steepness);
+  const T growth = -d.y / T(steepness);
   const T a = d.x * d.x + d.z * d.z - growth * growth;
   const T b = o.x * d.x + o.z * d.z - width * growth;
   const T c = o.x * o.x + o.z * o.z - width * width;
@@ -118,10 +120,10 @@ void clip_cone(WideChord<T>& chord, const Line<T>& line, double offset) {
   const T second = c / sum;
   const T lo = first < second ? first : second;
   const T hi = first < second ? second : first;
-  // Half the gradient's length is width * sqrt(26) / 5.
+  // Half the gradient's length is width * length / steepness.
   const auto cosine = [&](const T& s) {
-    return static_cast<double>(root) * 5 /
-           (std::abs(static_cast<double>(width + s * growth)) * static_cast<double>(root26));
+    return static_cast<double>(root) * steepness /
+           (std::abs(static_cast<double>(width + s * growth)) * static_cast<double>(length));
   };
   const T far(1e290);
   if (a > T(0.0)) {
@@ -135,6 +137,14 @@ void clip_cone(WideChord<T>& chord, const Line<T>& line, double offset) {
 }
 
 template <class T>
+Crossings<T> crossings(const PointedCone&, const Line<T>& line, double offset) {
+  WideChord<T> chord;
+  clip_cone(chord, line, T(1.0), 1, offset);
+  chord.slab(line.origin.y, line.direction.y, -T(offset), T(2.0));
+  return chord.crossings();
+}
+
+template <class T>
 Crossings<T> crossings(const Blob&, const Line<T>& line, double offset) {
   using std::sqrt;
   const T& oy = line.origin.y;
@@ -144,7 +154,7 @@ Crossings<T> crossings(const Blob&, const Line<T>& line, double offset) {
   clip_round(head, line, T(1.0) + T(offset), true);
   head.slab(oy, dy, join, T(2.0));
   WideChord<T> body;
-  clip_cone(body, line, offset);
+  clip_cone(body, line, sqrt(T(26.0)), 5, offset);
   body.slab(oy, dy, T(-1.0) - T(offset), join);
   const WideChord<T>& first = dy > T(0.0) ? body : head;
   const WideChord<T>& second = dy > T(0.0) ? head : body;

@@ -56,6 +56,16 @@ Spot spot(const Cylinder&, Random& random) {
   return {Vec3(u.cosine, random.uniform(), u.sine), Vec3(u.cosine, 0, u.sine)};
 }
 
+Spot spot(const PointedCone&, Random& random) {
+  if (random.below(3) == 0) {
+    return disc_spot(1, 0, -1, random);
+  }
+  const Turn u = turn_of(random);
+  const double y = random.uniform();
+  return {Vec3((1 - y) * u.cosine, y, (1 - y) * u.sine),
+          Vec3(u.cosine, 1, u.sine) / std::sqrt(2.0)};
+}
+
 const double apex = std::sqrt(26.0);
 
 Spot body_spot(double y, Random& random) {
@@ -124,6 +134,9 @@ EdgeSpot edge_of(const Shape& shape, Random& random) {
     const bool top = random.below(2) == 0;
     return rim(1, top ? 1 : 0, top ? 1 : -1, random);
   }
+  if (std::holds_alternative<PointedCone>(shape)) {
+    return rim(1, 0, -1, random);
+  }
   if (std::holds_alternative<Blob>(shape)) {
     if (random.below(2) == 0) {
       return rim((apex + 1) / 5, -1, -1, random);
@@ -177,6 +190,9 @@ Spot spot_on(const Shape& shape, Random& random) {
 Shape fixed_shape(const std::string& name, Random& random) {
   if (name == "cylinder") {
     return Cylinder{};
+  }
+  if (name == "cone") {
+    return PointedCone{};
   }
   if (name == "blob") {
     return Blob{};

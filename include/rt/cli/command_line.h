@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "rt/lua/script.h"
 #include "rt/render/film.h"
 #include "rt/scene/error.h"
 #include "rt/scene/options.h"
@@ -26,6 +27,8 @@ struct CommandLine {
   std::filesystem::path stats;
   ProgressStyle progress = ProgressStyle::automatic;
   bool quiet = false;
+  lua::Settings script;             ///< what the script may do
+  std::filesystem::path new_scene;  ///< set: write a starter scene there, and nothing else
 };
 
 /// The command line is wrong: exit code 2.

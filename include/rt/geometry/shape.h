@@ -14,6 +14,8 @@
 
 #include "rt/geometry/blob.h"
 #include "rt/geometry/box.h"
+
+#include "rt/geometry/cone.h"
 #include "rt/geometry/cylinder.h"
 #include "rt/geometry/mesh.h"
 #include "rt/geometry/plane.h"
@@ -22,7 +24,7 @@
 
 namespace rt {
 
-using Shape = std::variant<Sphere, Box, Plane, Square, Cylinder, Torus, Blob, Mesh>;
+using Shape = std::variant<Sphere, Box, Plane, Square, Cylinder, PointedCone, Torus, Blob, Mesh>;
 
 /// The shape's name in scripts and messages: "sphere", "torus", ...
 const char* shape_kind(const Shape& shape);

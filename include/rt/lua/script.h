@@ -2,6 +2,7 @@
 /// Runs a scene script. The only part of the program that knows Lua; the `gr` table it offers is
 /// described in docs/scripting.md.
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -23,17 +24,39 @@ struct Host {
   std::function<void(const std::string&)> warn;
 };
 
-/// What a script may use up.
+/// What a script may use up before it is stopped with ExitCode::limit.
 struct Limits {
-  std::size_t memory = std::size_t{2} << 30;  ///< bytes of Lua's own objects
+  /// Bytes: Lua's objects, and what nodes, materials, lights and meshes take beside them.
+  std::size_t memory = std::size_t{2} << 30;
+  /// Wall time of the script itself, rendering not included.
+  double seconds = 60.0;
+  /// Instructions of Lua's virtual machine. Counting them costs a third of the speed, so a script
+  /// is only counted exactly once it may have used half of a large number (guard.h).
+  std::uint64_t instructions = 10'000'000'000;
+};
+
+struct Settings {
+  Limits limits;
+  /// No limits, all of Lua's libraries, files from anywhere.
+  bool trust = false;
+  /// Further folders that the script may read from.
+  std::vector<std::filesystem::path> allowed;
+  /// Calls of what does not exist are skipped with a warning.
+  bool lenient = false;
+  TransformOrder order = TransformOrder::pre;
+  /// Reports hold Lua's traceback.
+  bool verbose = false;
 };
 
 /// Runs the script at `path` with `args` in the global `arg` (arg[0] is the script).
 /// Throws UserError, its text beginning with script:line where that is known: SceneError for what
 /// the script does wrong, FileError when the script cannot be read, and whatever the host throws,
 /// with its exit code kept; ExitCode::limit when a limit stopped it. An error that the script
-/// itself catches (pcall) is none.
+/// itself catches (pcall) is none, but for limits and interruptions.
+///
+/// A script that does not come back from one call of a library function in time ends the process:
+/// a message on standard error, exit code 4. Only one script runs at a time in a process.
 void run_script(const std::filesystem::path& path, const std::vector<std::string>& args,
-                const Host& host, const Limits& limits = {});
+                const Host& host, const Settings& settings = {});
 
 }  // namespace rt::lua

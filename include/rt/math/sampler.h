@@ -50,9 +50,9 @@ namespace rt {
 
 /// Where on a path a decision falls.
 struct Vertex {
-  /// How many random decisions of direction (lobe) precede this vertex. The camera's hit is 0, and
-  /// so is whatever is reached from it by mirrors and both branches of glass: nothing was drawn on
-  /// the way, so its light belongs to the joint set.
+  /// How many random decisions about the path's way (lobe, choice of a lobe, going on) precede this
+  /// vertex. The camera's hit is 0, and so is whatever is reached from it by mirrors and both
+  /// branches of glass: nothing was drawn on the way, so its light belongs to the joint set.
   std::uint32_t order = 0;
   /// Tells apart decisions of one order whose contributions are *added*: several lights at one
   /// point, the two branches at glass. They share coordinates and differ in scrambling, so each has

@@ -8,7 +8,8 @@ namespace rt {
 
 /// The transmissive instance whose medium fills the space just ahead of `point` in `direction`, or
 /// no_instance for the open air. Of several solids that overlap there the smallest (by the volume
-/// of its box) counts: a bubble in glass is air, a ball in water is glass.
+/// of its box) counts: a bubble in glass is air, a ball in water is glass. A plane is the surface
+/// of the half-space below it, the largest solid of all.
 std::uint32_t medium_ahead(const RenderPlan& plan, const ShadingPoint& point,
                            const Vec3& direction);
 
@@ -18,6 +19,10 @@ struct Media {
   std::uint32_t behind;
 };
 Media media_about(const RenderPlan& plan, const ShadingPoint& point, const Vec3& direction);
+
+/// Whether a transmissive instance's surface between these media lies inside a smaller solid, whose
+/// medium displaces the instance's own: then there is no surface.
+bool hides(const RenderPlan& plan, const Media& media, std::uint32_t instance);
 
 /// Index of refraction of a medium; 1 for the open air.
 double index_of(const RenderPlan& plan, std::uint32_t medium);

@@ -29,15 +29,17 @@ struct PlannedMaterial : Material {
   std::optional<PowerCosineLobe> lobe;  ///< spreads reflection and transmission; none: perfect
 };
 
-/// The contribution of a light that is left out: a quarter of an 8-bit step where the display is
-/// steepest, at the default max_error.
-inline double negligible_light(const RenderOptions& options) { return options.max_error / 256.0; }
+/// The contribution of one of `count` lights that is left out: all together, a quarter of an 8-bit
+/// step where the display is steepest, at the default max_error.
+inline double negligible_light(const RenderOptions& options, std::size_t count) {
+  return options.max_error / 256.0 / static_cast<double>(count);
+}
 
 /// What an instance does to shadow rays.
 enum class Shadow : std::uint8_t {
   blocks,
   dims,  ///< lets (1 - opacity) through at every crossing, less what its inside absorbs
-  none,  ///< clear glass, and the shapes of lights
+  none,  ///< clear glass where nothing absorbs, and the shapes of lights
 };
 
 /// One shape placed in render space; where it moves, as it is when the shutter opens.

@@ -39,8 +39,7 @@ class Tracer {
   void follow(Path& path);
   Rgb surface(const Path& path, const ShadingPoint& point, const PlannedMaterial& material,
               const Vec3& direction);
-  void scatter(const Path& path, const ShadingPoint& point, const PlannedMaterial& material,
-               const Vec3& direction);
+  void scatter(const Scatter& at);
   void divide(const Scatter& at, double reflected, double transmitted);
   void reflect(const Scatter& at, const Rgb& throughput);
   void transmit(const Scatter& at, const Rgb& throughput);

@@ -2,6 +2,7 @@
 /// The errors a user can cause. Everything else that throws is a defect of this program.
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace rt {
 
@@ -19,23 +20,30 @@ enum class ExitCode : int {
 /// puts script:line before it.
 class UserError : public std::runtime_error {
  public:
-  UserError(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+  UserError(ExitCode code, const std::string& message, std::string report = {})
+      : std::runtime_error(message), code_(code), report_(std::move(report)) {}
   ExitCode code() const { return code_; }
+  /// The message as a terminal shows it: with the column, and the source line below. Without a line
+  /// to show it is what().
+  std::string report() const { return report_.empty() ? what() : report_; }
 
  private:
   ExitCode code_;
+  std::string report_;
 };
 
 /// The scene is wrong: exit code 1.
 class SceneError : public UserError {
  public:
-  explicit SceneError(const std::string& message) : UserError(ExitCode::scene, message) {}
+  explicit SceneError(const std::string& message, std::string report = {})
+      : UserError(ExitCode::scene, message, std::move(report)) {}
 };
 
 /// A file could not be read or written: exit code 3.
 class FileError : public UserError {
  public:
-  explicit FileError(const std::string& message) : UserError(ExitCode::file, message) {}
+  explicit FileError(const std::string& message, std::string report = {})
+      : UserError(ExitCode::file, message, std::move(report)) {}
 };
 
 }  // namespace rt

@@ -1,6 +1,5 @@
 #pragma once
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +13,13 @@ namespace rt {
 
 /// A node of the authoring graph. Nodes are shared: one child under two parents is instancing.
 struct Node {
+  Node() = default;
+  /// Lets go of the children in a loop: a chain of a million nodes would overflow the stack if each
+  /// destroyed the next.
+  ~Node();
+  Node(const Node&) = delete;
+  Node& operator=(const Node&) = delete;
+
   std::string name;
   std::string where;                     ///< script:line of its making, for messages
   Affine parent_from_node;               ///< maps this node's space into its parent's
@@ -22,18 +28,21 @@ struct Node {
   /// Replaces kd of `material` where that is set here, else of the inherited material. Inherited
   /// together with the material.
   std::shared_ptr<const Texture> texture;
-  std::optional<Shape> shape;
+  std::shared_ptr<const Shape> shape;  ///< null: groups its children only
   std::vector<std::shared_ptr<Node>> children;
   bool has_parent = false;  ///< has been added under some node; kept by add_child
 };
 
-/// The methods of a script's nodes. As in the course framework each pre-multiplies: a rotation
-/// after a translation turns the translated node about its parent's origin. Each throws SceneError
-/// with the node's name when an argument is not finite, or (scale) when it would make the transform
-/// singular.
-void translate(Node& node, const Vec3& by);
-void rotate(Node& node, int axis, double degrees);
-void scale(Node& node, const Vec3& factors);
+/// How a node's transforms add up. Pre-multiplied, as in the course framework, a rotation after a
+/// translation turns the translated node about its parent's origin; post-multiplied, as in its
+/// older versions, about the node's own.
+enum class TransformOrder { pre, post };
+
+/// The methods of a script's nodes. Each throws SceneError with the node's name when an argument is
+/// not finite, or (scale) when it would make the transform singular.
+void translate(Node& node, const Vec3& by, TransformOrder order = TransformOrder::pre);
+void rotate(Node& node, int axis, double degrees, TransformOrder order = TransformOrder::pre);
+void scale(Node& node, const Vec3& factors, TransformOrder order = TransformOrder::pre);
 /// Appends a child. Throws SceneError when that would make `parent` a descendant of itself.
 void add_child(Node& parent, std::shared_ptr<Node> child);
 
@@ -56,8 +65,12 @@ struct Flattened {
   std::vector<std::string> warnings;  ///< at most one about missing materials
 };
 
+/// What flatten() is to expect of memory: bytes for each instance, the renderer's share included.
+inline constexpr std::size_t instance_bytes = 2 * sizeof(Instance);
+
 /// Throws SceneError naming the node for a singular or non-finite accumulated transform, and when
-/// the graph is deeper than 10 000 nodes.
-Flattened flatten(const Node& root);
+/// the graph is deeper than 10 000 nodes; UserError with ExitCode::limit when it comes to more than
+/// `max_instances` shapes.
+Flattened flatten(const Node& root, std::size_t max_instances = 20'000'000);
 
 }  // namespace rt

@@ -42,6 +42,8 @@ TEST(Coordinates, DerivativesAgreeWithDifferences) {
   check_derivatives(Cylinder{}, {5, 0.6, 0.5}, {-1, 0.01, 0});
   check_derivatives(Cylinder{}, {0.5, 3, 0.1}, {-0.01, -1, 0.02});
   check_derivatives(Cylinder{}, {0.5, -3, 0.1}, {-0.01, 1, 0.02});
+  check_derivatives(PointedCone{}, {5, 0.6, 1}, {-1, 0.01, -0.18});
+  check_derivatives(PointedCone{}, {0.5, -3, 0.1}, {-0.01, 1, 0.02});
   check_derivatives(Blob{}, {0.5, 3, 0.1}, {-0.01, -1, 0.02});
   check_derivatives(Blob{}, {5, -0.6, 1}, {-1, 0.01, 0});
   check_derivatives(Blob{}, {0.5, -3, 0.1}, {-0.01, 1, 0.02});

@@ -56,6 +56,7 @@ TEST(Transformed, EveryShapeKeepsItsHits) {
   check_placements(Plane{});
   check_placements(Square{3});
   check_placements(Cylinder{});
+  check_placements(PointedCone{});
   check_placements(Torus{});
   check_placements(Torus{0.5, 1});
   check_placements(Blob{});

@@ -72,8 +72,8 @@ TEST_F(Meshes, AMissingFileIsAFileError) {
   expect_error("gr.mesh('m', 'cow.obj')", "scene.lua:1: gr.mesh: there is no file 'cow.obj' in ",
                {}, ExitCode::file);
   std::filesystem::create_directory(folder_ / "dir.obj");
-  expect_error("gr.mesh('m', 'dir.obj')", "scene.lua:1: gr.mesh: there is no file", {},
-               ExitCode::file);
+  expect_error("gr.mesh('m', 'dir.obj')",
+               "scene.lua:1: gr.mesh: cannot read 'dir.obj': it is a folder", {}, ExitCode::file);
 }
 
 TEST_F(Meshes, FilesOutsideAreRefused) {

@@ -8,7 +8,8 @@ using Sandbox = ScriptTest;
 
 TEST_F(Sandbox, DangerousFunctionsAreAbsent) {
   run(R"(
-    assert(io == nil and debug == nil and package == nil and loadfile == nil)
+    assert(io == nil and debug == nil and loadfile == nil)
+    assert(package.loadlib == nil and package.path == nil and package.loaded == nil)
     assert(string.dump == nil and ("x").dump == nil)
     for name in pairs(os) do
       assert(name == 'time' or name == 'clock' or name == 'date' or name == 'difftime', name)
@@ -69,18 +70,18 @@ TEST_F(Sandbox, TablesWithMetamethodsAreReadRaw) {
 }
 
 TEST_F(Sandbox, MemoryIsLimited) {
-  limits_.memory = std::size_t{8} << 20;
+  settings_.limits.memory = std::size_t{8} << 20;
   for (const std::string text :
        {"local s = string.rep('x', 1e9)", "local t = {} while true do t[#t + 1] = {} end",
         "local s = 'x' while true do s = s .. s end",
         "local ok, text = pcall(string.rep, 'x', 1e9)\nerror(text)"}) {
-    expect_error(text, "scene.lua: the script needs more memory than its limit of 8 MB", {},
-                 ExitCode::limit);
+    expect_error(text, "scene.lua:1: the script needs more memory than its limit of 8 MB",
+                 {"--script-memory"}, ExitCode::limit);
   }
   run("assert(not pcall(string.rep, 'x', 1e9)) local t = {} for i = 1, 1000 do t[i] = {} end");
-  limits_.memory = 5000;
+  settings_.limits.memory = 5000;
   expect_error("x = 1", "scene.lua: the script needs more memory", {}, ExitCode::limit);
-  limits_.memory = 10;
+  settings_.limits.memory = 10;
   EXPECT_EQ(failure("x = 1").code, ExitCode::limit);
 }
 

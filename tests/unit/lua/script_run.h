@@ -36,7 +36,7 @@ class ScriptTest : public testing::Test {
 
   void run(const std::string& text, const std::vector<std::string>& args = {}) {
     write("scene.lua", text);
-    run_script(script(), args, host_, limits_);
+    run_script(script(), args, host_, settings_);
   }
 
   struct Failure {
@@ -89,7 +89,7 @@ class ScriptTest : public testing::Test {
 
   std::filesystem::path folder_;
   Host host_;
-  Limits limits_;
+  Settings settings_;
   std::vector<RenderJob> jobs_;
   std::vector<std::string> warnings_;
   std::vector<std::filesystem::path> loaded_;  ///< meshes, as the host was asked for them

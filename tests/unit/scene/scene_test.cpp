@@ -12,7 +12,7 @@ namespace {
 std::shared_ptr<Node> sphere_node(const std::string& name) {
   auto node = std::make_shared<Node>();
   node->name = name;
-  node->shape = Sphere{};
+  node->shape = std::make_shared<const Shape>(Sphere{});
   return node;
 }
 
@@ -102,7 +102,7 @@ TEST(Flatten, TransformsThatUnderflowTogetherNameTheNode) {
 TEST(Flatten, LaterEditsDoNotTouchTheSnapshot) {
   auto node = sphere_node("ball");
   const Flattened flat = flatten(*node);
-  node->shape = Box{};
+  node->shape = std::make_shared<const Shape>(Box{});
   translate(*node, {1, 0, 0});
   EXPECT_TRUE(std::holds_alternative<Sphere>(*flat.instances[0].shape));
   EXPECT_EQ(flat.instances[0].world_from_model.offset, Vec3(0.0));

@@ -1,0 +1,5 @@
+-- For luacheck: what scene scripts see.
+std = "lua53"
+read_globals = { "gr" }
+max_line_length = 120
+files["tests/scripts"] = { std = "lua51+lua53", ignore = { "1", "2", "3", "4" } }
