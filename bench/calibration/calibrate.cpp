@@ -111,14 +111,13 @@ void judge(const std::string& name, RenderJob job, double target, const std::vec
   std::vector<double> all, refined, bias;
   double claimed = 0.0;
   double linear = 0.0;
-  const std::uint32_t fewest = *std::min_element(result.samples.begin(), result.samples.end());
   for (std::size_t i = 0; i < result.samples.size(); ++i) {
     const float* a = &result.film.pixels[3 * i];
     const PixelError e = pixel_error(a, &truth[3 * i], job.options.encoding);
     all.push_back(e.largest);
     bias.push_back(e.bias);
     claimed += double{result.errors[i]} / static_cast<double>(result.errors.size());
-    if (result.samples[i] > fewest) {
+    if (result.samples[i] > result.pilots[i]) {
       refined.push_back(e.largest);
     }
     for (std::size_t k = 0; k < 3; ++k) {

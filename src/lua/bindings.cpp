@@ -92,6 +92,12 @@ constexpr std::array table{
     Binding{"node:scale", guarded<node_scale>, 3,
             "(x: number, y: number, z: number) or (factor: number): node",
             "Scales the node about its parent's origin.", "node:scale(2, 2, 2)"},
+    Binding{
+        "node:motion", guarded<node_motion>, 1,
+        "{from? = pose, to = pose} or (function(t) return pose end): node",
+        "Moves the node while the shutter is open, t from 0 to 1, about its parent's origin after "
+        "its transforms. A pose is a table of translate, rotate = {axis, degrees}, scale, about.",
+        R"(node:motion{to = {translate = {1, 0, 0}, rotate = {"y", 90}}})"},
     Binding{"require", guarded<require_module>, 1, "(name: string): any",
             "Runs name.lua of the script's folder, once, and returns its result.",
             R"(require "shapes")"},

@@ -27,6 +27,9 @@ int node_translate(Call& call);
 int node_rotate(Call& call);
 int node_scale(Call& call);
 
+// motion.cpp
+int node_motion(Call& call);
+
 // meshes.cpp, materials.cpp, textures.cpp, lights.cpp, render.cpp
 int make_mesh(Call& call);
 int make_material(Call& call);

@@ -9,7 +9,7 @@ namespace {
 
 struct Draft {
   Light light;
-  std::optional<Vec3> u, v;
+  std::optional<Vec3> u, v, to;
 };
 
 void read_falloff(const Value& value, Draft& draft) {
@@ -35,6 +35,7 @@ constexpr std::array light_fields{
                  [](const Value& v, Draft& d) { d.light.radius = v.number(not_negative); }},
     Field<Draft>{"u", [](const Value& v, Draft& d) { d.u = v.triple(); }},
     Field<Draft>{"v", [](const Value& v, Draft& d) { d.v = v.triple(); }},
+    Field<Draft>{"to", [](const Value& v, Draft& d) { d.to = v.triple(); }},
     Field<Draft>{"visible", [](const Value& v, Draft& d) { d.light.visible = v.boolean(); }},
 };
 
@@ -69,6 +70,9 @@ int make_light(Call& call) {
     read_positional(call, fields.first(4), 3, draft);
   }
   make_rectangle(call, draft);
+  if (draft.to) {
+    draft.light.travel = *draft.to - draft.light.position;
+  }
   draft.light.where = location(call.L);
   push<const Light>(call.L, make_charged(call.L, std::move(draft.light)));
   return 1;

@@ -94,6 +94,42 @@ void read_size(const Value& value, Draft& draft) {
   draft.job.options.height = item(2);
 }
 
+/// Where the camera is at time 1; what is not given stays.
+void read_camera_end(const Value& value, Draft& draft) {
+  static constexpr std::array fields{
+      eye, view, up, fov,
+      Field<Draft>{"look_at", [](const Value& v, Draft& d) { d.look_at = v.triple(); }}};
+  if (value.type() != LUA_TTABLE) {
+    value.fail("a table {eye = ..., look_at = ...}");
+  }
+  Draft end;
+  end.job.camera = draft.job.camera;
+  end.look_at = draft.look_at;
+  read_only_fields<Draft>(value.call(), value.index(), "to", fields, end);
+  if (end.look_at && !end.has_view) {
+    end.job.camera.view = *end.look_at - end.job.camera.eye;
+  }
+  draft.job.camera.to = std::make_shared<const Camera>(end.job.camera);
+}
+
+void read_shutter(const Value& value, Draft& draft) {
+  constexpr std::string_view expected = "two times {open, close} with 0 <= open <= close <= 1";
+  lua_State* L = value.call().L;
+  if (value.type() != LUA_TTABLE || lua_rawlen(L, value.index()) != 2) {
+    value.fail(expected);
+  }
+  RenderOptions& o = draft.job.options;
+  for (int i = 1; i <= 2; ++i) {
+    lua_rawgeti(L, value.index(), i);
+    const Value time(value.call(), lua_gettop(L), "shutter", i == 1 ? "open" : "close");
+    (i == 1 ? o.shutter_open : o.shutter_close) = time.number(fraction);
+    lua_pop(L, 1);
+  }
+  if (o.shutter_open > o.shutter_close) {
+    value.fail(expected);
+  }
+}
+
 void read_camera(const Value& value, Draft& draft) {
   static constexpr std::array fields{
       eye,
@@ -104,7 +140,8 @@ void read_camera(const Value& value, Draft& draft) {
       Field<Draft>{"aperture", [](const Value& v,
                                   Draft& d) { d.job.camera.aperture = v.number(not_negative); }},
       Field<Draft>{"focus",
-                   [](const Value& v, Draft& d) { d.job.camera.focus = v.number(positive); }}};
+                   [](const Value& v, Draft& d) { d.job.camera.focus = v.number(positive); }},
+      Field<Draft>{"to", read_camera_end}};
   if (value.type() != LUA_TTABLE) {
     value.fail("a table {eye = ..., look_at = ...}");
   }
@@ -137,15 +174,17 @@ void read_background(const Value& value, Draft& draft) {
 }
 
 constexpr Field<Draft> background{"background", read_background};
+constexpr Field<Draft> shutter{"shutter", read_shutter};
 constexpr std::array course_order{scene, file, width, height, eye, view, up, fov, ambient, lights};
-constexpr std::array option_fields{background};
+constexpr std::array option_fields{background, shutter};
 constexpr std::array named_fields{scene,
                                   file,
                                   Field<Draft>{"size", read_size, "", true},
                                   Field<Draft>{"camera", read_camera, "", true},
                                   ambient,
                                   lights,
-                                  background};
+                                  background,
+                                  shutter};
 
 /// The value on top of the stack for an option.
 OptionValue option_value(const Value& value) {

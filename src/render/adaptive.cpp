@@ -1,5 +1,7 @@
 #include "rt/render/adaptive.h"
 
+#include "rt/render/thin.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +13,7 @@ constexpr std::uint32_t pilot_samples = 4;
 
 /// The claimed error is so many standard deviations: chosen such that 95% of true errors lie below
 /// 1.5 times the claim (bench/results/calibration.md).
-constexpr double claim = 1.3;
+constexpr double claim = 1.45;
 
 /// What an estimate made before the last doubling still counts against the newest evidence.
 constexpr double memory = 1.0;
@@ -69,7 +71,14 @@ void AdaptiveTile::pilots(PixelSampler& sampler, RenderStatistics& statistics) {
   for (int y = area_.y - 1; y <= bottom; ++y) {
     for (int x = area_.x - 1; x <= right; ++x) {
       const bool inside = x >= area_.x && x < right && y >= area_.y && y < bottom;
-      grow(sampler, pixels_[index(x, y)], x, y, first, inside ? statistics : outside);
+      RenderStatistics& counts = inside ? statistics : outside;
+      PixelEstimate& e = pixels_[index(x, y)];
+      grow(sampler, e, x, y, first, counts);
+      const int wanted = plan.thin ? thin_pilots(plan, x, y) : 0;
+      while (static_cast<int>(e.count) < wanted && 2 * e.count <= most) {
+        grow(sampler, e, x, y, 2 * e.count, counts);
+      }
+      e.pilots = e.count;
     }
   }
   outside.bad_samples = 0;  // they count in the tile that they belong to
@@ -93,7 +102,11 @@ void AdaptiveTile::estimate_from_contrast(PixelEstimate& e, int x, int y,
     }
   }
   const Rgb contrast = glm::max(square - mean * mean, Rgb(0.0));
-  e.variance = contrast * std::pow(e.count, -variance_exponent(plan.dimensions()));
+  e.variance = contrast * std::pow(e.count, -max_exponent);
+  if (e.count > pilot_samples) {
+    // So many pilots for the sake of something thin: their own scatter is evidence, too.
+    e.variance = 0.5 * (e.variance + variance_of_quarters(e, 0.5 * (1.0 + max_exponent)));
+  }
   set_error(e, plan.options.encoding);
 }
 

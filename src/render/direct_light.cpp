@@ -34,8 +34,10 @@ LightSample sample_around(const Vec3& from_centre, double radius, const Vec2& u)
   return {w, std::sqrt(std::max(0.0, b * b + c)) - b, 1.0, false};
 }
 
-LightSample sample_light(const Light& light, const Vec3& p, const Sampler& sampler,
+LightSample sample_light(const Light& light, const ShadingPoint& point, const Sampler& sampler,
                          const Vertex& vertex) {
+  // Everything is relative to the light: one that moves is still for a point that moves against it.
+  const Vec3 p = point.position - point.time * light.travel;
   if (light.radius > 0.0) {
     const Vec2 u = sampler.light(vertex);
     const auto s = sample_sphere(u, p, light.position, light.radius);
@@ -110,7 +112,7 @@ Rgb direct_light(const RenderPlan& plan, std::size_t index, const Phong& phong,
                  const ShadingPoint& point, const Vec3& view, const Sampler& sampler,
                  const Vertex& vertex, double negligible, RayCounts& counts) {
   const Light& light = plan.lights[index];
-  const LightSample s = sample_light(light, point.position, sampler, vertex);
+  const LightSample s = sample_light(light, point, sampler, vertex);
   const Rgb value = reflected(phong, point, view, s.direction) * light.colour *
                     (s.weight * falloff(light, s.distance));
   if (!(max_abs(value) > negligible)) {

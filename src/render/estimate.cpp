@@ -13,8 +13,6 @@ Rgb PixelEstimate::mean() const {
                   : Rgb(0.0);
 }
 
-double variance_exponent(int dimensions) { return 1.0 + 1.0 / dimensions; }
-
 // With V(n) the variance of n samples' mean, the quarters' scatter s^2 = sum (q - mean)^2 / 3 has
 // the expectation 4/3 (V(n/4) - V(n)), whatever their correlation; V(n) = f V(n/4) gives V(n).
 Rgb variance_of_quarters(const PixelEstimate& e, double exponent) {

@@ -7,6 +7,7 @@
 #include "media_plan.h"
 #include "rt/render/accel/box_list.h"
 #include "rt/render/accel/box_tree.h"
+#include "rt/render/thin.h"
 
 namespace rt {
 namespace {
@@ -33,7 +34,12 @@ class Planner {
   RenderPlan take() {
     plan_.options = job_.options;
     plan_.ambient = job_.ambient;
-    plan_.camera = frame(job_.camera, job_.options);
+    eye_ = at_time(job_.camera, time_at(0.0)).eye;
+    plan_.camera = frame_of(at_time(job_.camera, time_at(0.0)), job_.options);
+    if (shutter_opens() && job_.camera.to) {
+      plan_.moves = true;
+      plan_.moving_camera = std::make_unique<const Camera>(job_.camera);
+    }
     for (const Light& light : job_.lights) {
       // Its colour over the least of the falloff; endless where nothing bounds that.
       brightest_light_ = std::max(brightest_light_, max_abs(light.colour) / light.falloff.c0);
@@ -59,17 +65,21 @@ class Planner {
       case Candidates::one_by_one:
         break;
     }
+    if (fixed_samples(plan_.options) == 0 && plan_.options.aa == AntiAliasing::adaptive) {
+      plan_.thin = find_thin(plan_);
+    }
     return std::move(plan_);
   }
 
  private:
-  static CameraFrame frame(const Camera& camera, const RenderOptions& options) {
-    const Vec3 forward = glm::normalize(camera.view / max_abs(camera.view));
-    const Vec3 right = glm::normalize(glm::cross(forward, camera.up / max_abs(camera.up)));
-    const Vec3 up = glm::cross(right, forward);
-    const double half = std::tan(0.5 * camera.fov * std::numbers::pi / 180.0);
-    const double aspect = static_cast<double>(options.width) / options.height;
-    return {forward, right * (half * aspect), up * -half, 0.5 * camera.aperture, camera.focus};
+  /// The script's time at a time of the rays.
+  double time_at(double time) const {
+    const RenderOptions& o = plan_.options;
+    return std::lerp(o.shutter_open, o.shutter_close, time);
+  }
+
+  bool shutter_opens() const {
+    return plan_.options.motion_blur && plan_.options.shutter_close > plan_.options.shutter_open;
   }
 
   void place(Light light) {
@@ -83,8 +93,22 @@ class Planner {
       place(shape_of(light));
       plan_.instances.back().shadow = Shadow::none;
     }
-    light.position -= job_.camera.eye;
+    light.position += time_at(0.0) * light.travel - eye_;
+    light.travel *= shutter_opens() ? time_at(1.0) - time_at(0.0) : 0.0;
+    plan_.moves |= light.travel != Vec3(0.0);
     plan_.lights.push_back(std::move(light));
+  }
+
+  /// The movement of a light's shape; null when it stands still.
+  static std::shared_ptr<const MotionPath> path_of(const Light& light, const Affine& still) {
+    if (light.travel == Vec3(0.0)) {
+      return nullptr;
+    }
+    Pose end;
+    end.translate = light.travel;
+    auto travel = std::make_shared<Motion>();
+    travel->keys = {{0.0, Pose{}}, {1.0, end}};
+    return extended(nullptr, {still, travel});
   }
 
   /// A visible light as a shape that shines.
@@ -105,24 +129,19 @@ class Planner {
             std::make_shared<const Shape>(shape),
             shine,
             nullptr,
-            light.where};
+            light.where,
+            path_of(light, world_from_model)};
   }
 
   void place(const Instance& from) {
     PlannedInstance to;
-    to.render_from_model = from.world_from_model;
-    to.render_from_model.offset -= job_.camera.eye;
-    // The graph has been checked: if the world's map has an inverse, so has one that is only moved.
-    to.model_from_render = from.model_from_world;
-    to.model_from_render.offset = from.model_from_world.point(job_.camera.eye);
-    if (const auto inverted = inverse(to.render_from_model)) {
-      to.model_from_render = *inverted;
-    }
-    to.moved_only =
-        to.render_from_model.linear == Mat3(1.0) && to.model_from_render.linear == Mat3(1.0);
-    to.model_per_render = norm(to.model_from_render.linear);
-    to.render_per_model = norm(to.render_from_model.linear);
     to.shape = from.shape;
+    const Bounds model_box = std::visit([](const auto& shape) { return bounds(shape); }, *to.shape);
+    static_cast<Placement&>(to) = placed(from);
+    if (from.motion && shutter_opens()) {
+      to.motion = moving(from, model_box);
+      plan_.moves = true;
+    }
     to.texture = from.texture;
     to.material = material(from.material);
     to.shadow = shadow_of(plan_.materials[to.material]);
@@ -130,8 +149,8 @@ class Planner {
     if (const auto* shape = std::get_if<Mesh>(from.shape.get())) {
       to.mesh = mesh(*shape);
     }
-    const Bounds model_box = std::visit([](const auto& shape) { return bounds(shape); }, *to.shape);
-    const Bounds box = transformed(to.render_from_model, model_box);
+    const Bounds box =
+        to.motion ? to.motion->bounds(model_box) : transformed(to.render_from_model, model_box);
     const auto id = static_cast<std::uint32_t>(plan_.instances.size());
     plan_.instances.push_back(std::move(to));
     all_boxes_.push_back(box);
@@ -141,6 +160,31 @@ class Planner {
     } else if (!model_box.empty()) {
       plan_.unbounded.push_back(id);
     }
+  }
+
+  /// As it is when the shutter opens.
+  Placement placed(const Instance& from) const {
+    Affine to_render = from.world_from_model;
+    Affine to_model = from.model_from_world;
+    if (from.motion) {
+      to_render = from.motion->at(time_at(0.0));
+      to_model = inverse(to_render).value_or(to_model);
+    }
+    to_render.offset -= eye_;
+    // The graph has been checked: if the world's map has an inverse, so has one that is only moved.
+    to_model.offset = to_model.point(eye_);
+    return {to_render, inverse(to_render).value_or(to_model)};
+  }
+
+  std::unique_ptr<const PlannedMotion> moving(const Instance& from, const Bounds& model_box) const {
+    constexpr double pixels = 0.1;  // that a moving point may be off
+    const double pixel = 2.0 * glm::length(plan_.camera.down) / plan_.options.height;
+    const auto path = [&](double time) {
+      Affine there = from.motion->at(time_at(time));
+      there.offset -= eye_;
+      return there;
+    };
+    return std::make_unique<const PlannedMotion>(planned_motion(path, model_box, pixels * pixel));
   }
 
   std::uint32_t material(const std::shared_ptr<const Material>& from) {
@@ -214,6 +258,7 @@ class Planner {
   }
 
   const RenderJob& job_;
+  Vec3 eye_{0.0};  ///< when the shutter opens
   RenderPlan plan_;
   std::vector<Bounds> boxes_;      ///< of plan_.bounded
   std::vector<Bounds> all_boxes_;  ///< of all instances
@@ -224,6 +269,15 @@ class Planner {
 };
 
 }  // namespace
+
+CameraFrame frame_of(const Camera& camera, const RenderOptions& options) {
+  const Vec3 forward = glm::normalize(camera.view / max_abs(camera.view));
+  const Vec3 right = glm::normalize(glm::cross(forward, camera.up / max_abs(camera.up)));
+  const Vec3 up = glm::cross(right, forward);
+  const double half = std::tan(0.5 * camera.fov * std::numbers::pi / 180.0);
+  const double aspect = static_cast<double>(options.width) / options.height;
+  return {forward, right * (half * aspect), up * -half, 0.5 * camera.aperture, camera.focus};
+}
 
 RenderPlan::RenderPlan() = default;
 RenderPlan::~RenderPlan() = default;

@@ -20,7 +20,8 @@ struct ModelRay {
 };
 
 ModelRay to_model(const RenderPlan& plan, std::uint32_t id, const TraceRay& ray) {
-  const PlannedInstance& instance = plan.instances[id];
+  const PlacementAt placement(plan.instances[id], ray.time);
+  const Placement& instance = *placement;
   ModelRay model{model_ray(instance, ray), {}};
   if (ray.instance == no_instance) {
     return model;
@@ -144,7 +145,7 @@ std::optional<SceneHit> nearest_of(const RenderPlan& plan, const TraceRay& ray, 
 
 }  // namespace
 
-Ray model_ray(const PlannedInstance& instance, const TraceRay& ray) {
+Ray model_ray(const Placement& instance, const TraceRay& ray) {
   if (instance.moved_only) {
     return {ray.origin + instance.model_from_render.offset, ray.direction};
   }

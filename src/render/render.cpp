@@ -95,7 +95,7 @@ class Rendering {
         crop_(crop),
         shared_(progress),
         pixels_(static_cast<double>(crop.width) * crop.height),
-        result_{Film(crop.width, crop.height), {}, {}, {}, {}} {}
+        result_{Film(crop.width, crop.height), {}, {}, {}, {}, {}} {}
 
   RenderResult take() {
     const int fixed = fixed_samples(plan_.options);
@@ -104,6 +104,7 @@ class Rendering {
     } else {
       result_.errors.resize(static_cast<std::size_t>(pixels_));
       result_.samples.resize(result_.errors.size());
+      result_.pilots.resize(result_.errors.size());
       plan_.options.time_limit > 0.0 ? progressive() : tile_by_tile();
       result_.reached = reached();
     }
@@ -189,6 +190,7 @@ class Rendering {
             static_cast<std::size_t>(x - crop_.x);
         result_.errors[i] = e.error;
         result_.samples[i] = e.count;
+        result_.pilots[i] = e.pilots;
       }
     }
   }

@@ -1,6 +1,7 @@
 #include "rt/render/sample.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "rt/math/filter.h"
 #include "rt/math/warp.h"
@@ -10,7 +11,7 @@ namespace {
 
 /// The ray through picture coordinates. With a lens it starts anywhere on it and meets the others
 /// of that place in the plane in focus.
-TraceRay camera_ray(const CameraFrame& camera, double px, double py, const Sampler& sample) {
+TraceRay lens_ray(const CameraFrame& camera, double px, double py, const Sampler& sample) {
   const Vec3 direction = camera.direction(px, py);
   if (camera.lens_radius == 0.0) {
     return {Vec3(0.0), direction};
@@ -18,6 +19,23 @@ TraceRay camera_ray(const CameraFrame& camera, double px, double py, const Sampl
   const Vec2 lens = camera.lens_radius * to_disc(sample.lens());
   const Vec3 origin = lens.x * glm::normalize(camera.right) + lens.y * glm::normalize(camera.down);
   return {origin, direction - origin / camera.focus};
+}
+
+/// The ray of a scene where something moves: at a time of its own.
+TraceRay moving_ray(const RenderPlan& plan, double px, double py, const Sampler& sample) {
+  const double time = sample.time();
+  TraceRay ray;
+  if (plan.moving_camera) {
+    const double open = plan.options.shutter_open;
+    const Camera now =
+        at_time(*plan.moving_camera, std::lerp(open, plan.options.shutter_close, time));
+    ray = lens_ray(frame_of(now, plan.options), px, py, sample);
+    ray.origin += now.eye - at_time(*plan.moving_camera, open).eye;
+  } else {
+    ray = lens_ray(plan.camera, px, py, sample);
+  }
+  ray.time = time;
+  return ray;
 }
 
 }  // namespace
@@ -28,8 +46,9 @@ std::optional<Rgb> PixelSampler::take_at(int x, int y, const Vec2& offset, const
   const double px = (x + offset.x) / plan.options.width;
   const double py = (y + offset.y) / plan.options.height;
   // Filters reach beyond the picture's edge; the background's gradient does not.
-  const Rgb value = tracer_.radiance(camera_ray(plan.camera, px, py, sample),
-                                     std::clamp(py, 0.0, 1.0), sample, statistics.rays);
+  const TraceRay ray =
+      plan.moves ? moving_ray(plan, px, py, sample) : lens_ray(plan.camera, px, py, sample);
+  const Rgb value = tracer_.radiance(ray, std::clamp(py, 0.0, 1.0), sample, statistics.rays);
   ++statistics.samples;
   if (!all_finite(value)) {
     statistics.add_bad(x, y);

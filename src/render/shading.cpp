@@ -9,7 +9,7 @@ namespace rt {
 namespace {
 
 /// The model's normal in render space: normals map by the inverse transpose.
-Vec3 render_normal(const PlannedInstance& instance, const Vec3& n) {
+Vec3 render_normal(const Placement& instance, const Vec3& n) {
   if (instance.moved_only) {
     return n;
   }
@@ -31,22 +31,23 @@ RayCounts& RayCounts::operator+=(const RayCounts& other) {
 
 ShadingPoint shading_point(const RenderPlan& plan, const TraceRay& ray, const SceneHit& hit) {
   const PlannedInstance& instance = plan.instances[hit.instance];
-  const Ray in_model = model_ray(instance, ray);
+  const PlacementAt placement(instance, ray.time);
+  const Ray in_model = model_ray(*placement, ray);
   const ShapeHit model_hit{hit.t, hit.feature};
   const SurfacePoint p =
       std::visit([&](const auto& shape) { return surface_point(shape, in_model, model_hit); },
                  *instance.shape);
   ShadingPoint point;
-  point.position = instance.render_from_model.point(p.position);
+  point.position = placement->render_from_model.point(p.position);
   // The refined point lies on the surface to a few roundings of its own coordinates; the map to
   // render space adds three products and three sums a component.
-  point.position_error = gamma(16) * (instance.render_per_model * max_abs(p.position) +
-                                      max_abs(instance.render_from_model.offset));
+  point.position_error = gamma(16) * (placement->render_per_model * max_abs(p.position) +
+                                      max_abs(placement->render_from_model.offset));
   // Normals map by the inverse transpose. Mirroring turns triangles inside out, but not their
   // normals: the outward side stays outward.
-  point.normal = render_normal(instance, p.normal);
+  point.normal = render_normal(*placement, p.normal);
   point.shading_normal =
-      p.shading_normal == p.normal ? point.normal : render_normal(instance, p.shading_normal);
+      p.shading_normal == p.normal ? point.normal : render_normal(*placement, p.shading_normal);
   const bool from_outside = glm::dot(p.normal, in_model.direction) <= 0.0;
   point.side = from_outside ? Leaving::outward : Leaving::inward;
   if (!from_outside) {
@@ -55,6 +56,7 @@ ShadingPoint shading_point(const RenderPlan& plan, const TraceRay& ray, const Sc
   }
   point.instance = hit.instance;
   point.feature = hit.feature;
+  point.time = ray.time;
   return point;
 }
 
@@ -66,7 +68,8 @@ TraceRay leave(const ShadingPoint& from, const Vec3& direction) {
           from.instance,
           from.feature,
           outward ? Leaving::outward : Leaving::inward,
-          from.position_error};
+          from.position_error,
+          from.time};
 }
 
 }  // namespace rt

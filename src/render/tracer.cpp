@@ -30,7 +30,7 @@ Rgb base_colour(const RenderPlan& plan, const ShadingPoint& point, const Materia
   if (!instance.texture) {
     return material.kd;
   }
-  const Vec3 p_model = instance.model_from_render.point(point.position);
+  const Vec3 p_model = PlacementAt(instance, point.time)->model_from_render.point(point.position);
   return std::visit([&](const auto& texture) { return colour(texture, p_model); },
                     *instance.texture);
 }

@@ -12,7 +12,32 @@ namespace {
 
 std::string text(const Vec3& v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); }
 
+/// The direction so far on the arc from one to the other, evenly.
+Vec3 turned(const Vec3& from, const Vec3& to, double share) {
+  const Vec3 a = glm::normalize(from / max_abs(from));
+  const Vec3 b = glm::normalize(to / max_abs(to));
+  const double angle = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+  if (angle < gamma(8)) {  // the same, as far as rounding can tell
+    return a;
+  }
+  return std::sin((1.0 - share) * angle) * a + std::sin(share * angle) * b;
+}
+
 }  // namespace
+
+Camera at_time(const Camera& camera, double time) {
+  if (!camera.to) {
+    return camera;
+  }
+  const Camera& to = *camera.to;
+  Camera at = camera;
+  at.to = nullptr;
+  at.eye = glm::mix(camera.eye, to.eye, time);
+  at.view = turned(camera.view, to.view, time);
+  at.up = turned(camera.up, to.up, time);
+  at.fov = std::lerp(camera.fov, to.fov, time);
+  return at;
+}
 
 void check(const Camera& camera) {
   if (!all_finite(camera.eye) || !all_finite(camera.view) || !all_finite(camera.up)) {
@@ -46,6 +71,11 @@ void check(const Camera& camera) {
   if (!(camera.focus > 0.0 && std::isfinite(camera.focus))) {
     throw SceneError(
         fmt::format("camera: expected a focus (a distance) above 0, got {}", camera.focus));
+  }
+  if (camera.to) {
+    check(*camera.to);
+    // Halfway nothing may have vanished: directions that are opposite have no arc between them.
+    check(at_time(camera, 0.5));
   }
 }
 

@@ -38,6 +38,27 @@ class Flattener {
   Flattened take(const Node& root) {
     result_.instances.reserve(count_shapes(root, max_instances_));
     // An explicit stack: a chain of nodes is as deep as the script likes.
+<<<<<<< HEAD
+    std::vector<Visit> open{{&root, Affine{}, nullptr, {}, 1}};
+    while (!open.empty()) {
+      const Visit visit = open.back();
+      open.pop_back();
+      const Node& node = *visit.node;
+      check_depth(node, visit.depth);
+      Affine above_from_node = visit.above_from_parent * node.parent_from_node;
+      std::shared_ptr<const MotionPath> path = visit.path;
+      if (node.motion) {
+        path = extended(path, {visit.above_from_parent, nullptr});
+        path = extended(path, {node.parent_from_node, node.motion});
+        above_from_node = {};
+      }
+      const Paint paint = painted(node, visit.paint);
+      if (node.shape) {
+        place(node, above_from_node, path, paint);
+      }
+      for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
+        open.push_back({child->get(), above_from_node, path, paint, visit.depth + 1});
+=======
     std::vector<Visit> open;
     enter(root, Visit{nullptr, Affine{}, {}}, open);
     while (!open.empty()) {
@@ -47,6 +68,7 @@ class Flattener {
         enter(child, visit, open);
       } else {
         open.pop_back();
+>>>>>>> main
       }
     }
     warn_of_missing_materials();
@@ -62,7 +84,13 @@ class Flattener {
   /// A node whose children are being visited.
   struct Visit {
     const Node* node;
+<<<<<<< HEAD
+    /// "Above" is the space of the nearest moving node, or the world.
+    Affine above_from_parent;
+    std::shared_ptr<const MotionPath> path;  ///< from the world to that node; null: none moves
+=======
     Affine world_from_node;
+>>>>>>> main
     Paint paint;
     std::size_t next = 0;  ///< child to visit
   };
@@ -98,6 +126,12 @@ class Flattener {
     }
   }
 
+<<<<<<< HEAD
+  void place(const Node& node, const Affine& above_from_model,
+             const std::shared_ptr<const MotionPath>& above, const Paint& paint) {
+    const auto path = above ? extended(above, {above_from_model, nullptr}) : nullptr;
+    const Affine world_from_model = path ? path->at(0.0) : above_from_model;
+=======
   [[noreturn]] void refuse(const Node& node) const {
     throw UserError(ExitCode::limit,
                     fmt::format("at node '{}' the scene comes to more than {} shapes, for which "
@@ -107,6 +141,7 @@ class Flattener {
   }
 
   void place(const Node& node, const Affine& world_from_model, const Paint& paint) {
+>>>>>>> main
     const auto model_from_world = inverse(world_from_model);
     if (!model_from_world) {
       throw SceneError(fmt::format(
@@ -119,7 +154,7 @@ class Flattener {
     }
     result_.instances.push_back({world_from_model, *model_from_world, node.shape,
                                  paint.material ? paint.material : default_material(node),
-                                 paint.texture, node.name});
+                                 paint.texture, node.name, path});
   }
 
   std::shared_ptr<const Material> default_material(const Node& node) {

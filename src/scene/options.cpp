@@ -174,6 +174,7 @@ constexpr std::array specs{
     feature<&RenderOptions::glossy>("glossy", "blurred reflection; off: all mirrors are perfect"),
     feature<&RenderOptions::antialiasing>("antialiasing", "more than one sample a pixel"),
     feature<&RenderOptions::adaptive>("adaptive", "more samples where the error asks for them"),
+    feature<&RenderOptions::motion_blur>("motion_blur", "movement while the shutter is open"),
     feature<&RenderOptions::acceleration>("acceleration", "anything but trying shapes one by one"),
 };
 

@@ -7,10 +7,10 @@
 ///    four means scatter as the error of n/4 samples does; the whole errs less by a known rate.
 ///  - The *contrast*: the variance of all pilot samples of the 3x3 pixels about, which also sees
 ///    what the pixel's own few samples missed.
-/// Both are extrapolated with the rate of nets on integrands with edges: the variance of the mean
-/// falls as n^-(1 + 1/d), d the number of joint dimensions (see RenderPlan::dimensions and
-/// tests/convergence). Four quarters are few: every doubling averages the new evidence with what
-/// was estimated before.
+/// Both are extrapolated to n samples as n^-p. An edge in the pixel's two dimensions alone has
+/// p = 3/2; the more dimensions and detail, the nearer to 1, the rate of independent samples (see
+/// tests/convergence). p is taken from the samples: how much less their mean varies than they do.
+/// Four quarters are few: every doubling averages the new evidence with what was estimated before.
 #include <array>
 #include <cstdint>
 
@@ -25,15 +25,14 @@ struct PixelEstimate {
   Rgb variance{0.0};              ///< of the mean, as estimated
   float error = 0.0F;             ///< in displayed units
   std::uint32_t count = 0;
-  std::uint32_t bad = 0;  ///< of them, not finite
+  std::uint32_t pilots = 0;  ///< of them, taken before anything was estimated
+  std::uint32_t bad = 0;     ///< of them, not finite
 
   Rgb mean() const;
 };
 
-/// How fast the variance of a mean falls: n^-exponent, for nets in so many dimensions.
-double variance_exponent(int dimensions);
-
-/// The variance of the mean of `e.count` samples, from the scatter of its quarters.
+/// The variance of the mean of `e.count` samples, from the scatter of its quarters, where it falls
+/// as n^-exponent.
 Rgb variance_of_quarters(const PixelEstimate& e, double exponent);
 
 /// A standard deviation `s` about `mean`, linear, in displayed units: the largest over channels.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rt/math/lobe.h"
+#include "rt/render/placement.h"
 #include "rt/render/trace.h"
 #include "rt/scene/render_job.h"
 
@@ -13,6 +14,7 @@ namespace rt {
 
 class BoxList;
 class BoxTree;
+struct ThinThings;
 
 /// The triangles of one mesh, shared by all its instances.
 struct PlannedMesh {
@@ -40,18 +42,32 @@ enum class Shadow : std::uint8_t {
   none,  ///< clear glass where nothing absorbs, and the shapes of lights
 };
 
-/// One shape placed in render space.
-struct PlannedInstance {
-  Affine render_from_model;
-  Affine model_from_render;
-  bool moved_only = false;        ///< the linear parts are identities
-  double model_per_render = 1.0;  ///< norm of model_from_render: bounds how errors grow
-  double render_per_model = 1.0;
+/// One shape placed in render space; where it moves, as it is when the shutter opens.
+struct PlannedInstance : Placement {
   std::shared_ptr<const Shape> shape;
   std::shared_ptr<const Texture> texture;  ///< null: kd is the material's
   std::uint32_t material = 0;
   Shadow shadow = Shadow::blocks;
   const PlannedMesh* mesh = nullptr;
+  std::unique_ptr<const PlannedMotion> motion;  ///< null: it stands still
+};
+
+/// Where an instance is at a time.
+class PlacementAt {
+ public:
+  PlacementAt(const PlannedInstance& instance, double time) : placement_(&instance) {
+    if (instance.motion) {
+      placement_ = &moving_.emplace(instance.motion->at(time));
+    }
+  }
+  PlacementAt(const PlacementAt&) = delete;
+  PlacementAt& operator=(const PlacementAt&) = delete;
+  const Placement& operator*() const { return *placement_; }
+  const Placement* operator->() const { return placement_; }
+
+ private:
+  const Placement* placement_;
+  std::optional<Placement> moving_;
 };
 
 /// The camera as the vectors that span its picture. Its eye, the lens' centre, is the origin of
@@ -65,6 +81,9 @@ struct CameraFrame {
     return forward + (2.0 * x - 1.0) * right + (2.0 * y - 1.0) * down;
   }
 };
+
+/// The frame of a camera that stands still.
+CameraFrame frame_of(const Camera& camera, const RenderOptions& options);
 
 /// The scene, ready to be traced. Immutable while rendering; shared by all threads.
 struct RenderPlan {
@@ -80,9 +99,12 @@ struct RenderPlan {
   /// Over `bounded`: a hierarchy, or for a few a list; neither: try them one by one.
   std::unique_ptr<const BoxTree> tree;
   std::unique_ptr<const BoxList> list;
+  std::unique_ptr<const ThinThings> thin;  ///< null: nothing is narrower than pixels
   std::vector<PlannedMaterial> materials;
   std::vector<Light> lights;  ///< positions in render space
-  CameraFrame camera;
+  CameraFrame camera;         ///< when the shutter opens
+  /// Set where the camera moves: the path of its frame, and of its eye in render space.
+  std::unique_ptr<const Camera> moving_camera;
   Rgb ambient{0.0};
   RenderOptions options;
 
@@ -90,9 +112,7 @@ struct RenderPlan {
   bool random = false;   ///< extended lights or gloss: paths take random decisions
   bool dims = false;     ///< some instance dims shadow rays
   bool absorbs = false;  ///< some medium absorbs
-
-  /// Of the integral that a pixel is: its area, and what is drawn besides.
-  int dimensions() const { return 2 + (random ? 2 : 0) + (camera.lens_radius > 0.0 ? 2 : 0); }
+  bool moves = false;    ///< something moves: rays have a time
 
   /// The transmissive instances whose boxes meet that of `instance`, itself included if it is one;
   /// smallest box first. Filled for transmissive instances, and for all where a medium absorbs.

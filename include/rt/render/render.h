@@ -31,6 +31,7 @@ struct RenderResult {
   // Of adaptive renderings, pixel by pixel as in the film.
   std::vector<float> errors;  ///< estimated, displayed units
   std::vector<std::uint32_t> samples;
+  std::vector<std::uint32_t> pilots;  ///< of them, taken before any error was estimated
 };
 
 /// Renders a part of the picture, with the threads that with_threads() gives. The result depends on

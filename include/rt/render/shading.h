@@ -28,6 +28,7 @@ struct ShadingPoint {
   double position_error;  ///< distance to the true surface point is at most this
   std::uint32_t instance;
   std::uint32_t feature;
+  double time;  ///< of the ray that found it
 };
 
 ShadingPoint shading_point(const RenderPlan& plan, const TraceRay& ray, const SceneHit& hit);

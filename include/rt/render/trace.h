@@ -18,6 +18,7 @@ struct TraceRay {
   std::uint32_t feature = 0;
   Leaving leaving = Leaving::nothing;
   double position_error = 0.0;  ///< of the origin, render units; 0 for camera rays
+  double time = 0.0;            ///< in [0,1], while the shutter is open
 };
 
 /// The nearest crossing of the scene along a ray.

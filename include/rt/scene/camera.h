@@ -1,4 +1,6 @@
 #pragma once
+#include <memory>
+
 #include "rt/math/vec.h"
 
 namespace rt {
@@ -13,7 +15,12 @@ struct Camera {
   /// Distance of the plane in focus, along the view direction, world units; > 0. Matters when there
   /// is an aperture.
   double focus = 1.0;
+  std::shared_ptr<const Camera> to;  ///< where it is at time 1: eye, view, up and fov; null: still
 };
+
+/// The camera at a time in [0,1]: eye and fov change evenly, view and up turn between their
+/// directions.
+Camera at_time(const Camera& camera, double time);
 
 /// Throws SceneError when the camera cannot make a picture: an up vector parallel to the view
 /// direction, a zero view direction, a field of view outside (0,180), or a number not finite.

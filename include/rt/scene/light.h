@@ -20,6 +20,7 @@ struct Light {
   Falloff falloff;
   double radius = 0.0;                 ///< > 0: a spherical light
   std::optional<Rectangle> rectangle;  ///< set: a rectangular light
+  Vec3 travel{0.0};                    ///< how far it moves from time 0 to 1
   bool visible = false;                ///< seen by camera, mirror and glass rays
   std::string where;                   ///< script:line of its making, for messages
 };

@@ -6,6 +6,7 @@
 #include "rt/geometry/shape.h"
 #include "rt/math/transform.h"
 #include "rt/scene/material.h"
+#include "rt/scene/motion.h"
 #include "rt/scene/texture.h"
 
 namespace rt {
@@ -20,8 +21,9 @@ struct Node {
   Node& operator=(const Node&) = delete;
 
   std::string name;
-  std::string where;                         ///< script:line of its making, for messages
-  Affine parent_from_node;                   ///< maps this node's space into its parent's
+  std::string where;                     ///< script:line of its making, for messages
+  Affine parent_from_node;               ///< maps this node's space into its parent's
+  std::shared_ptr<const Motion> motion;  ///< of the node so placed, in its parent's space; or null
   std::shared_ptr<const Material> material;  ///< null: inherit the nearest ancestor's
   /// Replaces kd of `material` where that is set here, else of the inherited material. Inherited
   /// together with the material.
@@ -52,6 +54,8 @@ struct Instance {
   std::shared_ptr<const Material> material;
   std::shared_ptr<const Texture> texture;  ///< null: kd is the material's
   std::string name;
+  /// Null: still. Else world_from_model over the shutter's time; the maps above are those at 0.
+  std::shared_ptr<const MotionPath> motion = nullptr;
 };
 
 /// Every shape under `root`, depth first, in the order of add_child; a value copy that later edits

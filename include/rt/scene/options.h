@@ -51,7 +51,9 @@ struct RenderOptions {
   bool antialiasing = true;  ///< false: one sample at the pixel's centre
   bool adaptive = true;      ///< false: `aa` is uniform unless it is corners
   bool acceleration = true;
+  bool motion_blur = true;  ///< false: all stands as it is when the shutter opens
   Background background;
+  double shutter_open = 0.0, shutter_close = 1.0;  ///< 0 <= open <= close <= 1
 };
 
 /// The samples that every pixel takes, all options considered; 0 when it is not a fixed number.

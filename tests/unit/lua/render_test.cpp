@@ -134,7 +134,7 @@ TEST_F(Render, UnknownKeysSuggestTheNearest) {
                {"background", "samples"});
   expect_error(named_text("light={}"),
                "scene.lua:2: gr.render: unknown key 'light'; did you mean 'lights'?");
-  expect_error(named_text("shutter={0, 1}"), "scene.lua:2: gr.render: unknown key 'shutter'");
+  expect_error(named_text("exposure={0, 1}"), "scene.lua:2: gr.render: unknown key 'exposure'");
   expect_error(named_text("", "eye={0,0,1}, view={0,0,-1}, iso=1"),
                "scene.lua:2: gr.render: unknown key 'iso' in camera", {"eye, view, up, fov"});
   expect_error(named_text("background={top=1, bottm=1, bottom=1}"),

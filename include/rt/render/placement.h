@@ -1,0 +1,38 @@
+#pragma once
+/// Where an instance is: once for all, or at a time.
+#include <functional>
+#include <vector>
+
+#include "rt/math/bounds.h"
+#include "rt/math/transform.h"
+
+namespace rt {
+
+struct Placement {
+  Affine render_from_model;
+  Affine model_from_render;
+  bool moved_only = false;        ///< the linear parts are identities
+  double model_per_render = 1.0;  ///< norm of model_from_render: bounds how errors grow
+  double render_per_model = 1.0;
+
+  Placement() = default;
+  Placement(const Affine& to_render, const Affine& to_model);
+};
+
+/// Render space from model space at even times over the open shutter; linear between. The corners
+/// of the model's box are nowhere off their true path by more than a tenth of a pixel.
+struct PlannedMotion {
+  std::vector<Affine> keys;  ///< at least 2
+
+  /// At a time in [0,1].
+  Placement at(double time) const;
+  /// Holds the box at all times: what is linear between keys stays in the hull of their boxes.
+  Bounds bounds(const Bounds& model_box) const;
+};
+
+/// Keys dense enough that a point of the model's box is off by at most `tolerance` times its
+/// distance from the origin, the eye. `path(t)` is render space from model space, t in [0,1].
+PlannedMotion planned_motion(const std::function<Affine(double)>& path, const Bounds& model_box,
+                             double tolerance);
+
+}  // namespace rt
