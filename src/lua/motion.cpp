@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "context.h"
 #include "fields.h"
 #include "functions.h"
 #include "rt/scene/motion.h"
@@ -164,13 +165,16 @@ class Sampled {
 
 int node_motion(Call& call) {
   const Value value = call.argument(1, "motion");
+  Motion motion;
   if (value.type() == LUA_TFUNCTION) {
-    call.self()->motion = std::make_shared<const Motion>(Sampled(call, value.index()).take());
+    motion = Sampled(call, value.index()).take();
   } else if (value.type() == LUA_TTABLE) {
-    call.self()->motion = std::make_shared<const Motion>(motion_between(call, value.index()));
+    motion = motion_between(call, value.index());
   } else {
     value.fail("a table {from =, to =} or a function of the time");
   }
+  const std::size_t keys = motion.keys.capacity() * sizeof(MotionKey);
+  call.self()->motion = make_charged(call.L, std::move(motion), keys);
   return call.return_self();
 }
 

@@ -38,29 +38,8 @@ class Flattener {
   Flattened take(const Node& root) {
     result_.instances.reserve(count_shapes(root, max_instances_));
     // An explicit stack: a chain of nodes is as deep as the script likes.
-<<<<<<< HEAD
-    std::vector<Visit> open{{&root, Affine{}, nullptr, {}, 1}};
-    while (!open.empty()) {
-      const Visit visit = open.back();
-      open.pop_back();
-      const Node& node = *visit.node;
-      check_depth(node, visit.depth);
-      Affine above_from_node = visit.above_from_parent * node.parent_from_node;
-      std::shared_ptr<const MotionPath> path = visit.path;
-      if (node.motion) {
-        path = extended(path, {visit.above_from_parent, nullptr});
-        path = extended(path, {node.parent_from_node, node.motion});
-        above_from_node = {};
-      }
-      const Paint paint = painted(node, visit.paint);
-      if (node.shape) {
-        place(node, above_from_node, path, paint);
-      }
-      for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
-        open.push_back({child->get(), above_from_node, path, paint, visit.depth + 1});
-=======
     std::vector<Visit> open;
-    enter(root, Visit{nullptr, Affine{}, {}}, open);
+    enter(root, Visit{nullptr, Affine{}, nullptr, {}}, open);
     while (!open.empty()) {
       Visit& visit = open.back();
       if (visit.next < visit.node->children.size()) {
@@ -68,7 +47,6 @@ class Flattener {
         enter(child, visit, open);
       } else {
         open.pop_back();
->>>>>>> main
       }
     }
     warn_of_missing_materials();
@@ -84,13 +62,9 @@ class Flattener {
   /// A node whose children are being visited.
   struct Visit {
     const Node* node;
-<<<<<<< HEAD
     /// "Above" is the space of the nearest moving node, or the world.
-    Affine above_from_parent;
+    Affine above_from_node;
     std::shared_ptr<const MotionPath> path;  ///< from the world to that node; null: none moves
-=======
-    Affine world_from_node;
->>>>>>> main
     Paint paint;
     std::size_t next = 0;  ///< child to visit
   };
@@ -100,13 +74,19 @@ class Flattener {
     if (++visits_ / visits_per_instance >= max_instances_) {
       refuse(node);
     }
-    const Affine world_from_node = parent.world_from_node * node.parent_from_node;
+    Affine above_from_node = parent.above_from_node * node.parent_from_node;
+    std::shared_ptr<const MotionPath> path = parent.path;
+    if (node.motion) {
+      path = extended(path, {parent.above_from_node, nullptr});
+      path = extended(path, {node.parent_from_node, node.motion});
+      above_from_node = {};
+    }
     const Paint paint = painted(node, parent.paint);
     if (node.shape) {
-      place(node, world_from_node, paint);
+      place(node, above_from_node, path, paint);
     }
     if (!node.children.empty()) {
-      open.push_back({&node, world_from_node, paint});
+      open.push_back({&node, above_from_node, path, paint});
     }
   }
 
@@ -126,12 +106,6 @@ class Flattener {
     }
   }
 
-<<<<<<< HEAD
-  void place(const Node& node, const Affine& above_from_model,
-             const std::shared_ptr<const MotionPath>& above, const Paint& paint) {
-    const auto path = above ? extended(above, {above_from_model, nullptr}) : nullptr;
-    const Affine world_from_model = path ? path->at(0.0) : above_from_model;
-=======
   [[noreturn]] void refuse(const Node& node) const {
     throw UserError(ExitCode::limit,
                     fmt::format("at node '{}' the scene comes to more than {} shapes, for which "
@@ -140,8 +114,10 @@ class Flattener {
                                 node.name, max_instances_));
   }
 
-  void place(const Node& node, const Affine& world_from_model, const Paint& paint) {
->>>>>>> main
+  void place(const Node& node, const Affine& above_from_model,
+             const std::shared_ptr<const MotionPath>& above, const Paint& paint) {
+    const auto path = above ? extended(above, {above_from_model, nullptr}) : nullptr;
+    const Affine world_from_model = path ? path->at(0.0) : above_from_model;
     const auto model_from_world = inverse(world_from_model);
     if (!model_from_world) {
       throw SceneError(fmt::format(

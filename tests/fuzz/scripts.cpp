@@ -18,7 +18,6 @@ const std::filesystem::path& folder() {
   static const std::filesystem::path path = [] {
     char pattern[] = "/tmp/rt-fuzz-XXXXXX";
     const std::filesystem::path made = mkdtemp(pattern);
-    std::filesystem::current_path(made);
     if (std::freopen("/dev/null", "w", stdout) == nullptr) {  // what scripts print
       std::abort();
     }
