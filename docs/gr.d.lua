@@ -156,7 +156,7 @@ function gr.checker(even, odd, size) end
 ---@param ambient gr.Colour
 ---@param lights gr.Light[]
 ---@param options? table
----@overload fun(fields: { scene: gr.Node, file: string, size: number[], camera: { eye: number[], view?: number[], look_at?: number[], up?: number[], fov?: number }, ambient?: gr.Colour, lights?: gr.Light[], background?: gr.Colour|{ top: gr.Colour, bottom: gr.Colour }, samples?: number, max_error?: number, max_samples?: number, time_limit?: number, filter?: string, aa?: string, seed?: number, max_depth?: number, encoding?: string, accel?: string, reflection?: boolean, refraction?: boolean, soft_shadows?: boolean, glossy?: boolean, antialiasing?: boolean, adaptive?: boolean, acceleration?: boolean })
+---@overload fun(fields: { scene: gr.Node, file: string, size: number[], camera: { eye: number[], view?: number[], look_at?: number[], up?: number[], fov?: number }, ambient?: gr.Colour, lights?: gr.Light[], background?: gr.Colour|{ top: gr.Colour, bottom: gr.Colour }, samples?: number, max_error?: number, max_samples?: number, time_limit?: number, filter?: string, aa?: string, seed?: number, max_depth?: number, encoding?: string, accel?: string, reflection?: boolean, refraction?: boolean, soft_shadows?: boolean, glossy?: boolean, antialiasing?: boolean, adaptive?: boolean, motion_blur?: boolean, acceleration?: boolean })
 function gr.render(scene, file, width, height, eye, view, up, fov, ambient, lights, options) end
 
 ---Puts a node below this one; a node may have several parents.
@@ -206,6 +206,13 @@ function Node:rotate(axis, degrees) end
 ---@return gr.Node
 ---@overload fun(self: gr.Node, factor: number): gr.Node
 function Node:scale(x, y, z) end
+
+---Moves the node while the shutter is open, t from 0 to 1, about its parent's origin after its transforms. A pose is a table of translate, rotate = {axis, degrees}, scale, about.
+---
+---Example: `node:motion{to = {translate = {1, 0, 0}, rotate = {"y", 90}}}`
+---@return gr.Node
+---@overload fun(self: gr.Node, ): gr.Node
+function Node:motion() end
 
 ---Runs name.lua of the script's folder, once, and returns its result.
 ---
