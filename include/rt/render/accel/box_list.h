@@ -13,7 +13,8 @@
 namespace rt {
 
 /// A few boxes, tested eight at a time: finds the candidates along a ray, as BoxTree does, without
-/// building or walking anything. Faster than a hierarchy up to about a hundred boxes (bench/NOTES.md).
+/// building or walking anything. Faster than a hierarchy up to about a hundred boxes
+/// (bench/NOTES.md).
 ///
 /// In single precision, yet no candidate is lost: all boxes are moved and scaled in double to fill
 /// [-1,1]^3, rays from further off start where they reach that cube, and boxes are enlarged by more
