@@ -1,9 +1,12 @@
 #pragma once
+#include <memory>
 #include <variant>
 
 #include "rt/math/vec.h"
 
 namespace rt {
+
+class TextureImage;
 
 /// A solid checker in model space: the cell of p is floor(p / size), its colour `even` where the
 /// sum of the cell's coordinates is even, else `odd`.
@@ -11,6 +14,16 @@ struct Checker {
   Rgb even{1.0};
   Rgb odd{0.0};
   double size = 1.0;  ///< edge of a cell, > 0
+};
+
+/// What an image texture gives beyond [0,1]^2.
+enum class Wrap { repeat, clamp, mirror, black };
+
+/// A picture laid on a surface by its coordinates.
+struct ImageTexture {
+  std::shared_ptr<const TextureImage> image;
+  Vec2 scale{1.0};  ///< the picture's coordinates are the surface's times this
+  Wrap wrap = Wrap::repeat;
 };
 
 /// What may stand for a material's kd. To add one: a struct, its colour(), and an entry here.
