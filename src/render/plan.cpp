@@ -143,6 +143,7 @@ class Planner {
       plan_.moves = true;
     }
     to.texture = from.texture;
+    to.convex = convex(*from.shape);
     to.material = material(from.material);
     to.shadow = shadow_of(plan_.materials[to.material]);
     plan_.dims |= to.shadow == Shadow::dims;

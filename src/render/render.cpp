@@ -1,6 +1,7 @@
 #include "rt/render/render.h"
 
 #include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 #include <time.h>
@@ -38,15 +39,15 @@ double thread_seconds() {
 /// Shared by the tiles; touched once a tile.
 class Shared {
  public:
-  explicit Shared(const ProgressFunction& progress) : progress_(progress) {}
+  Shared(const RenderPlan& plan, const ProgressFunction& progress)
+      : progress_(progress), samplers_([&plan] { return PixelSampler(plan); }) {}
 
   /// Does a tile's work, work(sampler, statistics): so much of all there is.
   template <class Work>
-  void tile(const RenderPlan& plan, double fraction, const Work& work) {
+  void tile(double fraction, const Work& work) {
     RenderStatistics statistics_of_tile;
     const double begin = thread_seconds();
-    PixelSampler sampler(plan);
-    work(sampler, statistics_of_tile);
+    work(samplers_.local(), statistics_of_tile);
     statistics_of_tile.cpu_seconds = thread_seconds() - begin;
     add(statistics_of_tile, fraction);
   }
@@ -66,6 +67,7 @@ class Shared {
   std::mutex mutex_;
   double done_ = 0.0;
   const ProgressFunction& progress_;
+  tbb::enumerable_thread_specific<PixelSampler> samplers_;
 };
 
 std::vector<Crop> tiles_of(const Crop& crop, int edge) {
@@ -113,7 +115,7 @@ class Rendering {
   Rendering(const RenderPlan& plan, const Crop& crop, const ProgressFunction& progress)
       : plan_(plan),
         crop_(crop),
-        shared_(progress),
+        shared_(plan, progress),
         pixels_(static_cast<double>(crop.width) * crop.height),
         result_{Film(crop.width, crop.height), {}, {}, {}, {}, {}} {}
 
@@ -140,7 +142,7 @@ class Rendering {
     const std::vector<Crop> tiles = tiles_of(crop_, plain_edge);
     for_each_index(tiles.size(), [&](std::size_t i) {
       const Crop& tile = tiles[i];
-      shared_.tile(plan_, share(tile), [&](PixelSampler& sampler, RenderStatistics& statistics) {
+      shared_.tile(share(tile), [&](PixelSampler& sampler, RenderStatistics& statistics) {
         std::optional<CornerTile> corners;
         if (samples == 0) {
           corners.emplace(sampler, tile, statistics);
@@ -165,7 +167,7 @@ class Rendering {
         tile.refine(sampler, plan_.options.max_error, {}, statistics);
         keep(tile);
       };
-      shared_.tile(plan_, share(areas[i]), work);
+      shared_.tile(share(areas[i]), work);
     });
   }
 
@@ -177,7 +179,7 @@ class Rendering {
       tiles.emplace_back(area);
     }
     for_each_index(tiles.size(), [&](std::size_t i) {
-      shared_.tile(plan_, 0.5 * share(tiles[i].area()),
+      shared_.tile(0.5 * share(tiles[i].area()),
                    [&](PixelSampler& sampler, RenderStatistics& statistics) {
                      tiles[i].pilots(sampler, statistics);
                    });
@@ -187,7 +189,7 @@ class Rendering {
     for (bool last = false; !last && !deadline.passed(); target *= pass_factor) {
       last = target <= end;
       for_each_index(tiles.size(), [&](std::size_t i) {
-        shared_.tile(plan_, last ? 0.5 * share(tiles[i].area()) : 0.0,
+        shared_.tile(last ? 0.5 * share(tiles[i].area()) : 0.0,
                      [&](PixelSampler& sampler, RenderStatistics& statistics) {
                        tiles[i].refine(sampler, std::max(target, end), deadline, statistics);
                      });

@@ -49,6 +49,7 @@ struct PlannedInstance : Placement {
   std::uint32_t material = 0;
   Shadow shadow = Shadow::blocks;
   const PlannedMesh* mesh = nullptr;
+  bool convex = false;  ///< a ray that has left it outward never meets it again
   std::unique_ptr<const PlannedMotion> motion;  ///< null: it stands still
 };
 

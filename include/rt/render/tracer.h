@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "rt/math/sampler.h"
+#include "rt/render/accel/shadow_cache.h"
 #include "rt/render/shading.h"
 
 namespace rt {
@@ -47,6 +48,7 @@ class Tracer {
 
   const RenderPlan& plan_;
   double negligible_;
+  ShadowCache shadow_cache_;
   std::vector<Path> open_;
 
   // Of the sample being taken.
