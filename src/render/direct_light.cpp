@@ -105,7 +105,7 @@ Rgb dimmed(const RenderPlan& plan, const ShadingPoint& from, const Vec3& way, do
 Rgb visibility(const RenderPlan& plan, std::size_t index, const ShadingPoint& from,
                const Vec3& way, double reach, ShadowCache& cache, RayCounts& counts) {
   ++counts.shadow;
-  const ShadowCache::Blockers blockers = cache.towards(index, from.position);
+  const Candidates blockers = cache.towards(index, from.position);
   const bool occluded_here =
       blockers.known ? !blockers.instances.empty() &&
                            occluded_by(plan, blockers.instances, leave(from, way), reach)

@@ -177,6 +177,18 @@ std::optional<SceneHit> closest_hit(const RenderPlan& plan, const TraceRay& ray)
                     [](const PlannedInstance&) { return true; });
 }
 
+std::optional<SceneHit> closest_hit_among(const RenderPlan& plan,
+                                          std::span<const std::uint32_t> instances,
+                                          const TraceRay& ray) {
+  Nearest nearest(plan, ray, std::numeric_limits<double>::infinity());
+  for (const std::uint32_t id : instances) {
+    if (const auto hit = intersect_instance(plan, id, ray, nearest.limit())) {
+      nearest.offer({hit->t, id, hit->feature});
+    }
+  }
+  return nearest.winner();
+}
+
 std::optional<SceneHit> closest_dimming_hit(const RenderPlan& plan, const TraceRay& ray,
                                             double t_max) {
   return nearest_of(plan, ray, t_max, [](const PlannedInstance& instance) {

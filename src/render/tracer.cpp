@@ -62,9 +62,10 @@ Tracer::Tracer(const RenderPlan& plan)
       shadow_cache_(plan) {}
 
 Rgb Tracer::radiance(const TraceRay& camera_ray, double y, const Sampler& sampler,
-                     RayCounts& counts) {
+                     RayCounts& counts, const Candidates& sight) {
   sum_ = Rgb(0.0);
   y_ = y;
+  sight_ = sight;
   sampler_ = &sampler;
   counts_ = &counts;
   ++counts.camera;
@@ -80,7 +81,9 @@ Rgb Tracer::radiance(const TraceRay& camera_ray, double y, const Sampler& sample
 }
 
 void Tracer::follow(Path& path) {
-  const auto hit = closest_hit(plan_, path.ray);
+  const auto hit = path.depth == 0 && sight_.known
+                       ? closest_hit_among(plan_, sight_.instances, path.ray)
+                       : closest_hit(plan_, path.ray);
   if (!hit) {
     const Background& b = plan_.options.background;
     sum_ += path.throughput * glm::mix(b.top, b.bottom, y_);

@@ -16,6 +16,11 @@ Ray model_ray(const Placement& instance, const TraceRay& ray);
 /// not speckle.
 std::optional<SceneHit> closest_hit(const RenderPlan& plan, const TraceRay& ray);
 
+/// The same, when only these instances can be crossed.
+std::optional<SceneHit> closest_hit_among(const RenderPlan& plan,
+                                          std::span<const std::uint32_t> instances,
+                                          const TraceRay& ray);
+
 /// The nearest crossing of that one instance.
 std::optional<SceneHit> instance_hit(const RenderPlan& plan, std::uint32_t instance,
                                      const TraceRay& ray);

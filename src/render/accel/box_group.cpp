@@ -7,7 +7,7 @@ namespace rt {
 namespace {
 
 // How far the float test of a ray can be off, in units of the cube's half-edge, for origins up to
-// `reach` = 8 from its centre and paths of up to 16:
+// `reach_of_rays` = 8 from its centre and paths of up to 16:
 //   the box's face, rounded to float                        2^-24
 //   the origin, below 8, rounded                             2^-22
 //   the direction's inverse, rounded: 2^-24 of the path      2^-20
@@ -17,7 +17,7 @@ namespace {
 //   half-edges away                                          2^-23
 // All of it together is below 2^-18.
 constexpr double slack = 0x1p-18;
-constexpr double reach = 8.0;
+constexpr double reach_of_rays = 8.0;
 // Shafts are far wider than this, which is more than their tests can be off: they begin and end
 // within 5 `reach`, where each of the ten numbers in an inequality is rounded by less than 2^-18.
 constexpr double shaft_slack = 0x1p-14;
@@ -112,7 +112,7 @@ bool BoxSpace::enter(const Ray& ray, double length, BoxRay& to) const {
   }
   to.per_t = per_unit_ * length;
   to.entry = 0.0;
-  if (!(max_abs(origin) < reach)) {
+  if (!(max_abs(origin) < reach_of_rays)) {
     if (!entry_into_cube(origin, inverse, to.entry)) {
       return false;
     }
@@ -128,6 +128,7 @@ std::optional<BoxShaft> BoxSpace::enter(const Shaft& shaft) const {
   const Vec3 half = 0.5 * per_unit_ * shaft.from.extent() + shaft_slack;
   Vec3 travel = (shaft.to.centre() - centre_) * per_unit_ - from;
   Vec3 growth = 0.5 * per_unit_ * shaft.to.extent() + shaft_slack - half;
+  constexpr double reach = shaft_reach;
   if (!(max_abs(from) < reach && max_abs(half) < 0.5 * reach)) {
     return {};
   }

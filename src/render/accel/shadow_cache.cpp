@@ -113,7 +113,7 @@ void ShadowCache::fill(Entry& entry, const Bounds& cell, std::size_t light) cons
   }
 }
 
-ShadowCache::Blockers ShadowCache::towards(std::size_t light, const Vec3& position) {
+Candidates ShadowCache::towards(std::size_t light, const Vec3& position) {
   if (table_.empty()) {
     return {};
   }

@@ -98,10 +98,15 @@ class BoxSpace {
 
   /// False when the ray passes all boxes by. `length` of the ray's direction.
   bool enter(const Ray& ray, double length, BoxRay& to) const;
+  /// A distance from where shafts may begin to beyond all boxes.
+  double far_end() const { return 2.0 * shaft_reach / per_unit_; }
   /// None when the shaft begins too far away to be told from others.
   std::optional<BoxShaft> enter(const Shaft& shaft) const;
 
  private:
+  /// Shafts begin no further than this from the boxes' centre, in half-edges of their cube.
+  static constexpr double shaft_reach = 8.0;
+
   Vec3 centre_{0.0};
   double per_unit_ = 1.0;  ///< 1 / half the edge of the cube about all boxes
 };

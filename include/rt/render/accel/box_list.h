@@ -52,6 +52,8 @@ class BoxList {
     return b.has_value();
   }
 
+  const BoxSpace& space() const { return space_; }
+
  private:
   BoxSpace space_;
   std::vector<BoxGroup> groups_;

@@ -51,6 +51,8 @@ class BoxTree {
     return true;
   }
 
+  const BoxSpace& space() const { return space_; }
+
  private:
   static constexpr std::uint32_t leaf = 1U << 31;
   /// Embree's deepest tree; each level leaves at most seven siblings behind.

@@ -2,9 +2,9 @@
 /// What may stand between a small piece of space and a light.
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
+#include "rt/render/accel/candidates.h"
 #include "rt/render/plan.h"
 
 namespace rt {
@@ -20,13 +20,8 @@ class ShadowCache {
  public:
   explicit ShadowCache(const RenderPlan& plan);
 
-  struct Blockers {
-    bool known = false;  ///< false: ask the whole scene
-    bool dims = false;   ///< some of them dim
-    std::span<const std::uint32_t> instances;
-  };
   /// For shadow rays from `position` towards light `light`.
-  Blockers towards(std::size_t light, const Vec3& position);
+  Candidates towards(std::size_t light, const Vec3& position);
 
  private:
   static constexpr std::size_t entries = 1024;
