@@ -123,6 +123,9 @@ Rgb direct_light(const RenderPlan& plan, std::size_t index, const Phong& phong,
                  const ShadingPoint& point, const Vec3& view, const Sampler& sampler,
                  const Vertex& vertex, double negligible, ShadowCache& cache, RayCounts& counts) {
   const Light& light = plan.lights[index];
+  if (is_black(phong.kd) && is_black(phong.ks)) {
+    return Rgb(0.0);
+  }
   const LightSample s = sample_light(light, point, sampler, vertex);
   const Rgb value = reflected(phong, point, view, s.direction) * light.colour *
                     (s.weight * falloff(light, s.distance));

@@ -124,7 +124,7 @@ void each_candidate(const RenderPlan& plan, const Ray& ray, double t_max, Visit 
   if (plan.list) {
     plan.list->walk(ray, t_max, visit_box);
   } else if (plan.tree) {
-    plan.tree->walk(ray, t_max, visit_box);
+    plan.tree->walk_unit(ray, t_max, visit_box);
   } else {
     for (std::uint32_t index = 0; index < plan.bounded.size() && t_max >= 0.0; ++index) {
       t_max = visit_box(index);

@@ -103,14 +103,20 @@ bool BoxSpace::enter(const Ray& ray, double length, BoxRay& to) const {
   if (!(length > 0.0)) {
     return false;
   }
+  const bool enters = enter({ray.origin, ray.direction * (1.0 / length)}, to);
+  to.per_t *= length;
+  return enters;
+}
+
+bool BoxSpace::enter(const Ray& ray, BoxRay& to) const {
   Vec3 origin = (ray.origin - centre_) * per_unit_;
-  const Vec3 direction = ray.direction * (1.0 / length);
+  const Vec3& direction = ray.direction;
   Vec3 inverse;
   for (int k = 0; k < 3; ++k) {
     const double d = direction[k];
     inverse[k] = std::abs(d) * endless > 1.0 ? 1.0 / d : std::copysign(endless, d);
   }
-  to.per_t = per_unit_ * length;
+  to.per_t = per_unit_;
   to.entry = 0.0;
   if (!(max_abs(origin) < reach_of_rays)) {
     if (!entry_into_cube(origin, inverse, to.entry)) {

@@ -96,7 +96,8 @@ class BoxSpace {
   static Box nothing();
   static void put(BoxGroup& group, std::size_t lane, const Box& box);
 
-  /// False when the ray passes all boxes by. `length` of the ray's direction.
+  /// False when the ray passes all boxes by. Its direction is a unit vector, or of that length.
+  bool enter(const Ray& ray, BoxRay& to) const;
   bool enter(const Ray& ray, double length, BoxRay& to) const;
   /// A distance from where shafts may begin to beyond all boxes.
   double far_end() const { return 2.0 * shaft_reach / per_unit_; }

@@ -18,7 +18,7 @@ class BoxList {
   template <class Visit>
   void walk(const Ray& ray, double t_max, Visit&& visit) const {
     BoxRay p;
-    if (!space_.enter(ray, 1.0, p)) {
+    if (!space_.enter(ray, p)) {
       return;
     }
     for (std::size_t g = 0; g < groups_.size(); ++g) {

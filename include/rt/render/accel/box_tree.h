@@ -25,6 +25,14 @@ class BoxTree {
       walk_from(p, t_max, visit);
     }
   }
+  /// The same for a ray whose direction is a unit vector.
+  template <class Visit>
+  void walk_unit(const Ray& ray, double t_max, Visit&& visit) const {
+    BoxRay p;
+    if (!nodes_.empty() && space_.enter(ray, p)) {
+      walk_from(p, t_max, visit);
+    }
+  }
 
   /// Calls visit(index) -> bool for every box that the shaft may touch, until that is false. False
   /// when the shaft could not be followed.
