@@ -102,8 +102,8 @@ Rgb dimmed(const RenderPlan& plan, const ShadingPoint& from, const Vec3& way, do
 
 /// What share of light `index` arrives at a point from `reach` away in direction `way` (unit): 0
 /// behind anything that blocks, less than 1 behind what dims.
-Rgb visibility(const RenderPlan& plan, std::size_t index, const ShadingPoint& from,
-               const Vec3& way, double reach, ShadowCache& cache, RayCounts& counts) {
+Rgb visibility(const RenderPlan& plan, std::size_t index, const ShadingPoint& from, const Vec3& way,
+               double reach, ShadowCache& cache, RayCounts& counts) {
   ++counts.shadow;
   const Candidates blockers = cache.towards(index, from.position);
   const bool occluded_here =

@@ -7,6 +7,7 @@
 #include "media_plan.h"
 #include "rt/render/accel/box_list.h"
 #include "rt/render/accel/box_tree.h"
+#include "rt/render/accel/grid.h"
 #include "rt/render/thin.h"
 
 namespace rt {
@@ -15,16 +16,23 @@ namespace {
 // Up to so many boxes a list is faster than a hierarchy (bench/NOTES.md).
 constexpr std::size_t few = 96;
 
-enum class Candidates { one_by_one, list, tree };
+// Triangles are cheaper than the setting out on a walk among so few.
+constexpr std::size_t few_triangles = 8;
 
-Candidates candidates_for(const RenderOptions& options, std::size_t boxes) {
+enum class Search { one_by_one, list, grid, tree };
+
+Search search_for(const RenderOptions& options, std::size_t boxes) {
   if (!options.acceleration || options.accel == AccelChoice::none || boxes == 0) {
-    return Candidates::one_by_one;
+    return Search::one_by_one;
   }
-  if (options.accel == AccelChoice::automatic) {
-    return boxes > few ? Candidates::tree : Candidates::list;
+  switch (options.accel) {
+    case AccelChoice::grid:
+      return Search::grid;
+    case AccelChoice::bvh:
+      return Search::tree;
+    default:
+      return boxes > few ? Search::tree : Search::list;
   }
-  return options.accel == AccelChoice::bvh ? Candidates::tree : Candidates::list;
 }
 
 class Planner {
@@ -55,14 +63,17 @@ class Planner {
       let_clear_glass_dim();
     }
     find_media(plan_, all_boxes_);
-    switch (candidates_for(plan_.options, boxes_.size())) {
-      case Candidates::tree:
+    switch (search_for(plan_.options, boxes_.size())) {
+      case Search::tree:
         plan_.tree = std::make_unique<BoxTree>(boxes_);
         break;
-      case Candidates::list:
+      case Search::list:
         plan_.list = std::make_unique<BoxList>(boxes_);
         break;
-      case Candidates::one_by_one:
+      case Search::grid:
+        plan_.grid = std::make_unique<Grid>(boxes_);
+        break;
+      case Search::one_by_one:
         break;
     }
     if (fixed_samples(plan_.options) == 0 && plan_.options.aa == AntiAliasing::adaptive) {
@@ -244,7 +255,8 @@ class Planner {
       auto planned = std::make_unique<PlannedMesh>();
       planned->data = from.data;
       const auto count = static_cast<std::uint32_t>(from.data->triangles.size());
-      if (candidates_for(plan_.options, count) == Candidates::tree) {
+      if (plan_.options.acceleration && plan_.options.accel != AccelChoice::none &&
+          count > few_triangles) {
         std::vector<Bounds> boxes;
         boxes.reserve(count);
         for (std::uint32_t i = 0; i < count; ++i) {

@@ -5,6 +5,7 @@
 #include "rt/math/rounding.h"
 #include "rt/render/accel/box_list.h"
 #include "rt/render/accel/box_tree.h"
+#include "rt/render/accel/grid.h"
 
 namespace rt {
 namespace {
@@ -125,6 +126,8 @@ void each_candidate(const RenderPlan& plan, const Ray& ray, double t_max, Visit 
     plan.list->walk(ray, t_max, visit_box);
   } else if (plan.tree) {
     plan.tree->walk_unit(ray, t_max, visit_box);
+  } else if (plan.grid) {
+    plan.grid->walk(ray, t_max, visit_box);
   } else {
     for (std::uint32_t index = 0; index < plan.bounded.size() && t_max >= 0.0; ++index) {
       t_max = visit_box(index);

@@ -58,9 +58,7 @@ struct Tracer::Scatter {
 };
 
 Tracer::Tracer(const RenderPlan& plan)
-    : plan_(plan),
-      negligible_(plan.options.max_error / negligible_branches),
-      shadow_cache_(plan) {}
+    : plan_(plan), negligible_(plan.options.max_error / negligible_branches), shadow_cache_(plan) {}
 
 Rgb Tracer::radiance(const TraceRay& camera_ray, double y, const Sampler& sampler,
                      RayCounts& counts, const Candidates& sight) {
@@ -126,9 +124,8 @@ Rgb Tracer::surface(const Path& path, const ShadingPoint& point, const PlannedMa
   const auto lights = static_cast<std::uint32_t>(plan_.lights.size());
   for (std::uint32_t i = 0; i < lights; ++i) {
     const Vertex vertex{path.vertex.order, path.vertex.copy * lights + i};
-    sum +=
-        direct_light(plan_, i, phong, point, -direction, *sampler_, vertex, negligible, shadow_cache_,
-                     *counts_);
+    sum += direct_light(plan_, i, phong, point, -direction, *sampler_, vertex, negligible,
+                        shadow_cache_, *counts_);
   }
   return sum;
 }

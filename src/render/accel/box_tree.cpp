@@ -91,7 +91,8 @@ struct BoxTree::Builder {
       open.pop_back();
       for (unsigned i = 0; i < from->count; ++i) {
         const RTCBounds& b = from->bounds[i];
-        const BoxSpace::Box box{{b.lower_x, b.lower_y, b.lower_z}, {b.upper_x, b.upper_y, b.upper_z}};
+        const BoxSpace::Box box{{b.lower_x, b.lower_y, b.lower_z},
+                                {b.upper_x, b.upper_y, b.upper_z}};
         if (is_leaf(from->children[i])) {
           set(to, i, box, leaf | index_of(from->children[i]));
         } else {

@@ -71,8 +71,8 @@ ShadowCache::Cell ShadowCache::cell_of(std::size_t light, const Vec3& position) 
   if (light >= 0xffff || exponent < 64 || exponent > far - 64) {
     return {};
   }
-  const auto scale = std::bit_cast<double>(
-      (far - exponent + static_cast<std::uint64_t>(fineness_)) << 52U);
+  const auto scale =
+      std::bit_cast<double>((far - exponent + static_cast<std::uint64_t>(fineness_)) << 52U);
   const Vec3 index = glm::floor(position * scale);
   Cell cell;
   cell.key = 1U + light;

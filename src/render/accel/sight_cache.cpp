@@ -17,8 +17,8 @@ Shaft pyramid(const RenderPlan& plan, int x, int y, double reach) {
   Shaft shaft{{Vec3(0.0), Vec3(0.0)}, {}};
   for (const int i : {0, 1}) {
     for (const int j : {0, 1}) {
-      shaft.to.extend(reach * plan.camera.direction(block * (x + i) / o.width,
-                                                    block * (y + j) / o.height));
+      shaft.to.extend(reach *
+                      plan.camera.direction(block * (x + i) / o.width, block * (y + j) / o.height));
     }
   }
   return shaft;

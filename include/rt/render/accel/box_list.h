@@ -27,8 +27,8 @@ class BoxList {
       while (hits != 0) {
         const int lane = BoxGroup::nearest(hits, near);
         hits &= ~(1U << lane);
-        t_max =
-            visit(static_cast<std::uint32_t>(BoxGroup::width * g) + static_cast<std::uint32_t>(lane));
+        t_max = visit(static_cast<std::uint32_t>(BoxGroup::width * g) +
+                      static_cast<std::uint32_t>(lane));
         if (t_max < 0.0) {
           return;
         }
