@@ -1,5 +1,6 @@
 #include "rt/render/rendering.h"
 
+#include <oneapi/tbb/enumerable_thread_specific.h>
 #include <time.h>
 
 #include <algorithm>
@@ -59,6 +60,11 @@ bool should_leave_off(const Until& until) { return Deadline(until.pause, until.s
 
 }  // namespace
 
+/// One a thread, for all its tiles.
+struct Rendering::Samplers {
+  tbb::enumerable_thread_specific<PixelSampler> of_thread;
+};
+
 Rendering::Rendering(const RenderPlan& plan, const Crop& crop)
     : plan_(plan),
       crop_(crop),
@@ -66,7 +72,9 @@ Rendering::Rendering(const RenderPlan& plan, const Crop& crop)
       fixed_(samples_of(plan.options)),
       areas_(tiles_of(crop, adaptive() ? adaptive_edge : plain_edge)),
       finished_(areas_.size()),
-      result_{Film(crop.width, crop.height), {}, {}, {}, {}, {}} {
+      result_{Film(crop.width, crop.height), {}, {}, {}, {}, {}},
+      samplers_(new Samplers{
+          tbb::enumerable_thread_specific<PixelSampler>([&plan] { return PixelSampler(plan); })}) {
   if (adaptive()) {
     for (const Crop& area : areas_) {
       open_.emplace_back(area);
@@ -76,6 +84,8 @@ Rendering::Rendering(const RenderPlan& plan, const Crop& crop)
     result_.pilots.resize(result_.errors.size());
   }
 }
+
+Rendering::~Rendering() = default;
 
 double Rendering::share(std::size_t tile) const {
   return areas_[tile].width * areas_[tile].height / pixels_;
@@ -100,8 +110,7 @@ void Rendering::for_open_tiles(const Until& until, const Work& work) {
     }
     RenderStatistics statistics;
     const double begin = thread_seconds();
-    PixelSampler sampler(plan_);
-    const double done = work(i, sampler, statistics);
+    const double done = work(i, samplers_->of_thread.local(), statistics);
     statistics.cpu_seconds = thread_seconds() - begin;
     const std::scoped_lock lock(mutex_);
     done_ += done * share(i);

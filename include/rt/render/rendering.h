@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -25,6 +26,9 @@ class Rendering {
  public:
   /// Nothing is traced yet. The plan must outlive it.
   Rendering(const RenderPlan& plan, const Crop& crop);
+  ~Rendering();
+  Rendering(const Rendering&) = delete;
+  Rendering& operator=(const Rendering&) = delete;
 
   /// Goes on until the picture is done (true) or it is time to leave off (false). Every call that
   /// does not stop takes the picture further. A time limit counts the time of all calls.
@@ -46,6 +50,7 @@ class Rendering {
   void load(ByteReader& in);
 
  private:
+  struct Samplers;
   bool adaptive() const { return fixed_ == 0; }
   double share(std::size_t tile) const;
   void count_done();
@@ -69,6 +74,8 @@ class Rendering {
   RenderResult result_;
   double spent_ = 0.0;  ///< seconds in run()
   bool out_of_time_ = false;
+
+  std::unique_ptr<Samplers> samplers_;
 
   std::mutex mutex_;  ///< of what follows, and of `result_.statistics`
   double done_ = 0.0;
