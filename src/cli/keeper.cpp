@@ -107,6 +107,7 @@ void Keeper::take_up(Rendering& rendering, const RenderJob& job) {
   } catch (const std::out_of_range&) {
     throw FileError(fmt::format("cannot resume from {}: it is damaged", file_.string()));
   }
+  earlier_->current.reset();
   earlier_->state = {};
 }
 
@@ -122,6 +123,9 @@ void Keeper::finished() {
 }
 
 Saved Keeper::save(const Rendering* rendering, const RenderJob* job) {
+  if (earlier_ && earlier_->current) {
+    return {file_, {}};  // a later picture's state has not been taken up yet: it stays there
+  }
   for (Checkpoint::Finished& f : done_.finished) {
     f.digest = f.digest != 0 ? f.digest : digest_of_file(f.picture);
   }

@@ -54,7 +54,8 @@ void Session::picture(RenderJob job) {
   report.phases.write = watch_.lap();
   std::ranges::for_each(warnings, warn);
   if (!saved.refusal.empty()) {
-    throw FileError(fmt::format("{}. The picture is in {}", saved.refusal, saved.path.string()));
+    misplaced_.emplace(fmt::format("{}. The picture is in {}", saved.refusal, saved.path.string()));
+    throw *misplaced_;
   }
   tell(report);
   keeper_.finished();

@@ -46,6 +46,9 @@ void Session::run() {
     }
     throw UserError(ExitCode::interrupted, saved_);
   }
+  if (misplaced_) {
+    throw *misplaced_;  // the script has caught it
+  }
   if (pictures_ == 0) {
     throw SceneError(fmt::format("{}: the script made no picture; it should call gr.render(...)",
                                  line_.scene.string()));

@@ -105,6 +105,18 @@ TEST_F(Rescued, AFolderThatVanishes) {
                 "No such file or directory");
 }
 
+TEST_F(Rescued, AScriptThatCatchesTheErrorDoesNotHideIt) {
+  write("scene.lua", "pcall(function()\n" + sphere_script() + "\nend)\n");
+  std::filesystem::create_directory(folder_ / "disk");
+  Running program(folder_, "scene.lua --progress plain -o disk/ball.png " + std::string(options));
+  ASSERT_TRUE(program.says("ball.png: "));
+  std::filesystem::rename(folder_ / "disk", folder_ / "gone");
+  const Outcome o = program.wait();
+  EXPECT_EQ(o.exit_code, 3) << o.err;
+  EXPECT_NE(o.err.find("The picture is in " + rescued(".png").string()), std::string::npos)
+      << o.err;
+}
+
 TEST_F(Rescued, AReadOnlyFolderIsRefusedBeforeTheRendering) {
   const SmallDisk disk(folder_ / "disk");
   if (!disk.mounted() || !disk.make_read_only()) {

@@ -118,6 +118,20 @@ TEST_F(Resumed, FinishedPicturesAreNotRenderedAgain) {
   EXPECT_FALSE(exists("p1.png.checkpoint"));
 }
 
+TEST_F(Resumed, WhatHasNotBeenTakenUpYetIsNotLost) {
+  const std::string pause = "local t = os.clock() while os.clock() - t < 1 do end\n";
+  write("scene.lua",
+        std::regex_replace(slow_scene(2), std::regex("(  scene:translate)"), pause + "$1"));
+  ASSERT_EQ(run("scene.lua -q -o whole.png --samples 100").exit_code, 0);
+  EXPECT_EQ(interrupt("--samples 100", SIGINT, "p2.png: ").exit_code, 130);
+  const std::string kept = contents(folder_ / "p1.png.checkpoint");
+  const Outcome o = interrupt("--samples 100 --resume", SIGINT, "p1.png: was finished before");
+  EXPECT_EQ(o.exit_code, 130) << o.err;
+  EXPECT_TRUE(contents(folder_ / "p1.png.checkpoint") == kept);
+  EXPECT_EQ(run("scene.lua -q --resume --samples 100").exit_code, 0);
+  EXPECT_TRUE(same_file(folder_ / "p2.png", folder_ / "whole.2.png"));
+}
+
 TEST_F(Resumed, AFinishedPictureThatHasGoneIsRenderedAgain) {
   write("scene.lua", slow_scene(2));
   ASSERT_EQ(run("scene.lua -q -o whole.png --samples 200").exit_code, 0);

@@ -32,7 +32,8 @@ class Keeper {
   /// The picture is on the disk.
   void finished();
 
-  /// Writes the checkpoint, elsewhere if need be. With a rendering it is that of the picture begun.
+  /// Writes the checkpoint, elsewhere if need be; unless it still holds what --resume has not come
+  /// to yet. With a rendering it is that of the picture begun.
   Saved save(const Rendering* rendering, const RenderJob* job);
   /// Whether there is anything to keep beside a picture begun.
   bool has_finished() const { return !done_.finished.empty(); }

@@ -1,6 +1,7 @@
 #pragma once
 #include <chrono>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,8 +54,9 @@ class Session {
   Keeper keeper_;
   Stopwatch watch_;
   std::vector<PictureReport> reports_;
-  std::size_t pictures_ = 0;  ///< that the script asked for
-  std::string saved_;         ///< what an interruption saved
+  std::size_t pictures_ = 0;            ///< that the script asked for
+  std::optional<FileError> misplaced_;  ///< a picture could not be written where it should be
+  std::string saved_;                   ///< what an interruption saved
 };
 
 }  // namespace rt::cli
