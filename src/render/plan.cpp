@@ -52,7 +52,11 @@ class Planner {
       // Its colour over the least of the falloff; endless where nothing bounds that.
       brightest_light_ = std::max(brightest_light_, max_abs(light.colour) / light.falloff.c0);
     }
-    plan_.instances.reserve(job_.instances.size() + job_.lights.size());
+    const std::size_t most = job_.instances.size() + job_.lights.size();
+    plan_.instances.reserve(most);
+    plan_.bounded.reserve(most);
+    all_boxes_.reserve(most);
+    boxes_.reserve(most);
     for (const Instance& instance : job_.instances) {
       place(instance);
     }
