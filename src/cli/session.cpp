@@ -12,6 +12,7 @@
 #include "rt/cli/say.h"
 #include "rt/io/image.h"
 #include "rt/io/obj.h"
+#include "rt/io/texture.h"
 #include "rt/lua/script.h"
 #include "rt/render/plan.h"
 #include "rt/render/threads.h"
@@ -27,6 +28,19 @@ std::string hash_of(const std::filesystem::path& file) {
     hash = (hash ^ static_cast<unsigned char>(*c)) * 0x100000001b3;
   }
   return fmt::format("{:016x}", hash);
+}
+
+/// Where the textures that come with the program are: installed, or in its sources.
+std::filesystem::path shipped_textures() {
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+  const auto installed = program.parent_path().parent_path() / "share/raytracer/textures";
+  for (const auto& folder : {installed, std::filesystem::path(RT_TEXTURE_DIR)}) {
+    if (std::filesystem::is_directory(folder, error)) {
+      return folder;
+    }
+  }
+  return {};
 }
 
 }  // namespace
@@ -55,7 +69,7 @@ void Session::run() {
   }
   const Busy busy;
   if (!line_.stats.empty()) {
-    write_stats(line_.stats, line_.scene, thread_count(), reports_);
+    write_stats(line_.stats, line_.scene, thread_count(), io::texture_statistics(), reports_);
   }
   keeper_.end();
 }
@@ -68,9 +82,15 @@ void Session::run_script() {
     keeper_.reads(file);
     return io::load_obj(file);
   };
+  const auto open_texture = [this](const std::filesystem::path& file) {
+    keeper_.reads(file);
+    return io::open_texture(file, line_.textures);
+  };
   const auto reads = [this](const std::filesystem::path& file) { keeper_.reads(file); };
-  const lua::Host host{render, load_mesh, warn, reads};
-  lua::run_script(line_.scene, line_.arguments, host, line_.script);
+  const lua::Host host{render, load_mesh, open_texture, warn, reads};
+  lua::Settings settings = line_.script;
+  settings.shipped_textures = shipped_textures();
+  lua::run_script(line_.scene, line_.arguments, host, settings);
 }
 
 int Session::thread_count() const {

@@ -20,4 +20,6 @@ Rgb colour(const Checker& checker, const Vec3& p_model) {
   return odd ? checker.odd : checker.even;
 }
 
+Rgb colour(const ImageTexture&, const Vec3&) { return Rgb(0.5); }
+
 }  // namespace rt

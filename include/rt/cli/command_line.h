@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "rt/io/texture.h"
 #include "rt/lua/script.h"
 #include "rt/render/film.h"
 #include "rt/scene/error.h"
@@ -31,6 +32,7 @@ struct CommandLine {
   std::vector<std::string> words;         ///< the command line as given, up to "--"
   ProgressStyle progress = ProgressStyle::automatic;
   bool quiet = false;
+  io::TextureLimits textures;
   lua::Settings script;             ///< what the script may do
   std::filesystem::path new_scene;  ///< set: write a starter scene there, and nothing else
 };

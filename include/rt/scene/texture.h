@@ -27,9 +27,11 @@ struct ImageTexture {
 };
 
 /// What may stand for a material's kd. To add one: a struct, its colour(), and an entry here.
-using Texture = std::variant<Checker>;
+using Texture = std::variant<Checker, ImageTexture>;
 
 /// The colour at a point of model space. Cells count correctly at any finite coordinate.
 Rgb colour(const Checker& checker, const Vec3& p_model);
+/// Mid-grey: a picture has its place on a surface, not in space.
+Rgb colour(const ImageTexture& texture, const Vec3& p_model);
 
 }  // namespace rt
