@@ -136,6 +136,9 @@ void declare(CLI::App& app, CommandLine& line, Raw& raw) {
       ->type_name("LIST");
   app.add_option("--stats", line.stats, "write times, rays and memory as JSON")
       ->type_name("FILE.json");
+  app.add_option("--report", line.report,
+                 "write a page with the picture, maps of its error and samples, times and plan")
+      ->type_name("FILE.html");
   app.add_flag("--resume", line.resume,
                "go on where an interrupted run stopped: from the checkpoint beside its picture");
   app.add_option("--checkpoint", line.checkpoint_every,

@@ -50,6 +50,7 @@ void Session::picture(RenderJob job) {
   report.statistics = result.statistics;
   const std::vector<std::string> warnings = scene_warnings(job, plan, result.film);
   report.reached = result.reached;
+  page_.picture(plan, result);
   const Saved saved = write(report, std::move(result.film), {});
   report.phases.write = watch_.lap();
   std::ranges::for_each(warnings, warn);
@@ -58,6 +59,7 @@ void Session::picture(RenderJob job) {
     throw *misplaced_;
   }
   tell(report);
+  page_.finish(report);
   keeper_.finished();
   reports_.push_back(std::move(report));
 }
