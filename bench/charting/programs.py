@@ -1,5 +1,6 @@
 """Runs of this program and of its peers: pinned to one processor, one thread, timed by their own
 statistics."""
+import functools
 import hashlib
 import json
 import pathlib
@@ -48,8 +49,13 @@ class Programs:
         self.pin = ["taskset", "-c", str(cpu)] if shutil.which("taskset") else []
         self.scratch.mkdir(parents=True, exist_ok=True)
         self.cache.mkdir(parents=True, exist_ok=True)
-        self.peers = self.scratch / "peers"
-        subprocess.run([ROOT / "bench/peers.py", self.peers], check=True)
+
+    @functools.cached_property
+    def peers(self):
+        """A folder of the scenes of bench/scenes, as others read them."""
+        folder = self.scratch / "peers"
+        subprocess.run([ROOT / "bench/peers.py", folder], check=True)
+        return folder
 
     @staticmethod
     def has(name):

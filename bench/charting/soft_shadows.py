@@ -19,8 +19,8 @@ POV = {"POV-Ray, fixed grid": [AA3 + light(4), AA3 + light(8), AA4 + light(16)],
 
 
 def measure(context):
-    size = (64, 48) if context.quick else (320, 240)
-    truth = curves.own_truth(context, SCENE, size, 128 if context.quick else 2048)
+    size = (64, 48) if context.quick else (200, 150)
+    truth = curves.own_truth(context, SCENE, size, 128 if context.quick else 1024)
     cases = []
     for n in (1, 4, 16) if context.quick else (1, 4, 16, 64, 256):
         cases.append(curves.own_case(context, SCENE, ["--samples", str(n)], "uniform", size, truth))
@@ -28,7 +28,7 @@ def measure(context):
         cases.append(curves.own_case(context, SCENE, ["--max-error", str(e)], "adaptive", size,
                                      truth))
     if Programs.has("povray"):
-        best = ["+AM1", "-J", "+A0.0", "+R2" if context.quick else "+R8",
+        best = ["+AM2", "-J", "+A0.0", "+R2" if context.quick else "+R4",
                 *(light(5, 0) if context.quick else light(33, 1))]
         pov = curves.pov_truth(context, "S5", size, best)
         for label, settings in POV.items():
