@@ -126,6 +126,7 @@ FootprintTrail::FootprintTrail(const RenderPlan& plan)
     : plan_(plan), spacing_(sample_spacing(plan.options)) {}
 
 void FootprintTrail::begin(const TraceRay& camera_ray) {
+  open_.clear();
   if (plan_.moving_camera) {
     const double time =
         std::lerp(plan_.options.shutter_open, plan_.options.shutter_close, camera_ray.time);
@@ -136,13 +137,10 @@ void FootprintTrail::begin(const TraceRay& camera_ray) {
   }
 }
 
-void FootprintTrail::next() {
-  here_ = open_.back();
-  open_.pop_back();
-}
-
-void FootprintTrail::arrive(const TraceRay& ray, double t, ShadingPoint& point) {
-  here_ = arrived(here_, ray.direction, t, point.normal);
+void FootprintTrail::arrive(std::size_t open, const TraceRay& ray, double t, ShadingPoint& point) {
+  // What lies above is of paths that met nothing.
+  here_ = arrived(open_[open], ray.direction, t, point.normal);
+  open_.resize(open);
   point.footprint = std::sqrt(glm::length(here_.dp_dx) * glm::length(here_.dp_dy));
 }
 

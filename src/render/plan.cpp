@@ -234,6 +234,7 @@ class Planner {
     if (!options.glossy) {
       to.glossiness = 0.0;
     }
+    to.plain = {to.kd, to.ks, to.opacity};
     to.transmissive = to.opacity < 1.0 || use.textured_opacity;
     const double brightest = max_abs(to.ks) * brightest_light_;
     if (to.shininess > 0.0 && brightest > 0.0 && !use.textured_ks) {

@@ -40,7 +40,7 @@ struct Tracer::Scatter {
   const ShadingPoint& point;
   const PlannedMaterial& material;
   const Vec3& direction;
-  Reflectances surface;
+  const Reflectances& surface;
   Media media;                ///< of glass
   double n1 = 1.0, n2 = 1.0;  ///< indices of the media before and behind the surface
   bool divided = false;       ///< both branches are followed
@@ -70,9 +70,6 @@ Rgb Tracer::radiance(const TraceRay& camera_ray, double y, const Sampler& sample
   while (!open_.empty()) {
     Path path = open_.back();
     open_.pop_back();
-    if (trail_) {
-      trail_->next();
-    }
     follow(path);
   }
   return sum_;
@@ -90,9 +87,9 @@ void Tracer::follow(Path& path) {
   const PlannedMaterial& material = plan_.materials[instance.material];
   const Vec3& direction = path.ray.direction;
   if (trail_) {
-    trail_->arrive(path.ray, hit->t, point);
+    trail_->arrive(open_.size(), path.ray, hit->t, point);
   }
-  Reflectances look{material.kd, material.ks, material.opacity};
+  std::optional<Reflectances> look;
   if (instance.textures) {
     look = textured(plan_, path.ray, *hit, material, trail_ ? &trail_->here() : nullptr, point);
   }
@@ -106,7 +103,7 @@ void Tracer::follow(Path& path) {
     path.throughput *= transmittance(plan_, media.before, hit->t);
   }
   const bool deepest = path.depth >= plan_.options.max_depth;
-  const Scatter at{path, point, material, direction, look, media};
+  const Scatter at{path, point, material, direction, look ? *look : material.plain, media};
   if (material.transmissive && hides(plan_, media, hit->instance)) {
     if (!deepest) {
       add(at, direction, path.throughput, false);

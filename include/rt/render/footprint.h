@@ -52,12 +52,11 @@ class FootprintTrail {
  public:
   explicit FootprintTrail(const RenderPlan& plan);
 
-  /// A camera ray, not normalised, becomes an open path.
+  /// A camera ray, not normalised, becomes the only open path.
   void begin(const TraceRay& camera_ray);
-  /// The path opened last is now followed.
-  void next();
-  /// It meets a surface after a distance t.
-  void arrive(const TraceRay& ray, double t, ShadingPoint& point);
+  /// The path that lies above `open` others meets a surface at a distance t.
+  void arrive(std::size_t open, const TraceRay& ray, double t, ShadingPoint& point);
+  /// At the surface just met.
   const RayDifferential& here() const { return here_; }
   /// A path goes on from there. `lobe`: the one `direction` was drawn from, or null.
   void branch(const ShadingPoint& point, const Vec3& incoming, const Vec3& direction, double eta,

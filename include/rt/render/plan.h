@@ -22,8 +22,16 @@ struct PlannedMesh {
   std::unique_ptr<const BoxTree> tree;  ///< over triangles; null: try them one by one
 };
 
+/// What a surface reflects and lets through at a point, textures resolved.
+struct Reflectances {
+  Rgb kd;
+  Rgb ks;
+  double opacity;
+};
+
 /// A material with what follows from it, options considered.
 struct PlannedMaterial : Material {
+  Reflectances plain{};                 ///< where no texture drives any of it
   bool transmissive = false;            ///< opacity < 1: glass
   double least_r_dot_v = 0.0;           ///< below it no highlight reaches negligible_light()
   std::optional<PowerCosineLobe> lobe;  ///< spreads reflection and transmission; none: perfect

@@ -5,13 +5,6 @@
 
 namespace rt {
 
-/// What a surface reflects and lets through at a point, textures resolved.
-struct Reflectances {
-  Rgb kd;
-  Rgb ks;
-  double opacity;
-};
-
 /// Looks up the textures of the instance that was hit, over the footprint `here` (null: at points,
 /// unfiltered), and tilts the point's shading normal by its bump or normal map. The normal stays on
 /// the side from which the ray came, both against the surface and against the ray, so that no light
