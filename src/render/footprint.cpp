@@ -146,10 +146,6 @@ void FootprintTrail::arrive(std::size_t open, const TraceRay& ray, double t, Sha
 
 void FootprintTrail::branch(const ShadingPoint& point, const Vec3& incoming, const Vec3& direction,
                             double eta, const PowerCosineLobe* lobe) {
-  if (direction == incoming) {
-    open_.push_back(here_);  // a surface that is none
-    return;
-  }
   const NormalDifferential n = normal_differential(plan_, point, here_);
   const RayDifferential next = glm::dot(direction, point.normal) > 0.0
                                    ? reflected(here_, incoming, n)
