@@ -185,16 +185,9 @@ function Node:set_texture(texture, slot, strength) end
 ---Paints the node with noise of kind "fbm", "turbulence", "marble" or "wood", from one colour to another or along a ramp, on "kd", "ks", "opacity" or "bump".
 ---
 ---Example: `node:perlin_noise{octaves = {{scale = 4, weight = 1}}, low = 0.1, high = 0.9}`
----@param octaves? { scale: number, weight: number }[]
----@param low? gr.Colour
----@param high? gr.Colour
----@param ramp? number[][]
----@param seed? number
----@param kind? string
----@param on? string
----@param strength? number
+---@param fields { octaves?: { scale: number, weight: number }[], low?: gr.Colour, high?: gr.Colour, ramp?: number[][], seed?: number, kind?: string, on?: string, strength?: number }
 ---@return gr.Node
-function Node:perlin_noise(octaves, low, high, ramp, seed, kind, on, strength) end
+function Node:perlin_noise(fields) end
 
 ---Moves the node.
 ---
@@ -226,9 +219,10 @@ function Node:scale(x, y, z) end
 ---Moves the node while the shutter is open, t from 0 to 1, about its parent's origin after its transforms. A pose is a table of translate, rotate = {axis, degrees}, scale, about.
 ---
 ---Example: `node:motion{to = {translate = {1, 0, 0}, rotate = {"y", 90}}}`
+---@param fields {  }
 ---@return gr.Node
 ---@overload fun(self: gr.Node, ): gr.Node
-function Node:motion() end
+function Node:motion(fields) end
 
 ---Runs name.lua of the script's folder, once, and returns its result.
 ---
