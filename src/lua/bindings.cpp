@@ -89,10 +89,10 @@ constexpr std::array table{
     Binding{"node:perlin_noise", guarded<node_perlin_noise>, 1,
             "{octaves?: {{scale: number, weight: number}, ...}, low?: colour, high?: colour, "
             "ramp?: {{number, colour}, ...}, seed?: number, kind?: string, on?: string, "
-            "strength?: number}: node",
+            "add?: boolean, strength?: number}: node",
             "Paints the node with noise of kind \"fbm\", \"turbulence\", \"marble\" or \"wood\", "
             "from one colour to another or along a ramp, on \"kd\", \"ks\", \"opacity\" or "
-            "\"bump\".",
+            "\"bump\" (with add = true on top of the bumps there are).",
             "node:perlin_noise{octaves = {{scale = 4, weight = 1}}, low = 0.1, high = 0.9}"},
     Binding{"node:translate", guarded<node_translate>, 3, "(x: number, y: number, z: number): node",
             "Moves the node.", "node:translate(1, 0, 0)"},

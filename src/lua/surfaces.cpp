@@ -55,11 +55,10 @@ void require_fitting(const Call& call, const Texture& texture, TextureSlot slot)
 }
 
 /// Nodes share sets that nobody changes: each change makes a new one.
-void set_slot(const Call& call, TextureSlot slot, std::shared_ptr<const Texture> texture,
-              double strength) {
+void set_slot(const Call& call, TextureSlot slot, TextureSet::Entry entry) {
   Node& node = *call.self();
   TextureSet set = node.textures ? *node.textures : TextureSet{};
-  set[slot] = {std::move(texture), strength};
+  set[slot] = std::move(entry);
   node.textures = make_charged(call.L, std::move(set));
 }
 
@@ -69,6 +68,7 @@ struct NoiseDraft {
   bool has_ramp = false;
   TextureSlot slot = TextureSlot::kd;
   double strength = 1.0;
+  bool add = false;
 };
 
 /// Calls read(item) for each item of a list.
@@ -156,6 +156,7 @@ constexpr std::array noise_fields{
                         d.texture.kind = static_cast<NoiseKind>(chosen(v, kinds));
                       }},
     Field<NoiseDraft>{"on", [](const Value& v, NoiseDraft& d) { d.slot = slot_of(v); }},
+    Field<NoiseDraft>{"add", [](const Value& v, NoiseDraft& d) { d.add = v.boolean(); }},
     // After `on`, which says whether there is one.
     Field<NoiseDraft>{"strength",
                       [](const Value& v, NoiseDraft& d) { d.strength = strength_of(v, d.slot); }},
@@ -167,6 +168,30 @@ const std::shared_ptr<const Noise>& plain_noise() {
   return noise;
 }
 
+/// What `add` adds to: the node's present bump, or null.
+std::shared_ptr<const TextureSet::Entry> layers_below(const Call& call, const NoiseDraft& draft) {
+  if (!draft.add) {
+    return nullptr;
+  }
+  if (draft.slot != TextureSlot::bump) {
+    call.fail("only bumps add up; 'add' needs on = \"bump\"");
+  }
+  const Node& node = *call.self();
+  if (!node.textures || !(*node.textures)[TextureSlot::bump].texture) {
+    return nullptr;
+  }
+  // A chain is walked at every hit, and freed link by link.
+  constexpr int most = 64;
+  int count = 0;
+  const TextureSet::Entry& top = (*node.textures)[TextureSlot::bump];
+  for (const TextureSet::Entry* e = &top; e != nullptr; e = e->under.get()) {
+    if (++count >= most) {
+      call.fail(fmt::format("a node has at most {} bumps", most));
+    }
+  }
+  return make_charged(call.L, TextureSet::Entry(top));
+}
+
 }  // namespace
 
 int node_set_texture(Call& call) {
@@ -174,7 +199,7 @@ int node_set_texture(Call& call) {
   const TextureSlot slot = slot_of(call.argument(2, "slot"));
   const double strength = strength_of(call.argument(3, "strength"), slot);
   require_fitting(call, *texture, slot);
-  set_slot(call, slot, std::move(texture), strength);
+  set_slot(call, slot, {std::move(texture), strength, nullptr});
   return call.return_self();
 }
 
@@ -201,7 +226,7 @@ int node_perlin_noise(Call& call) {
   std::shared_ptr<const Texture> texture =
       make_charged(call.L, Texture(std::move(draft.texture)), beside);
   require_fitting(call, *texture, draft.slot);
-  set_slot(call, draft.slot, std::move(texture), draft.strength);
+  set_slot(call, draft.slot, {std::move(texture), draft.strength, layers_below(call, draft)});
   return call.return_self();
 }
 

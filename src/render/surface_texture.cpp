@@ -120,7 +120,11 @@ Vec3 mapped(TexturePoint& at, const TextureSet::Entry& map, const Vec3& normal) 
 /// Blinn, "Simulation of wrinkled surfaces", SIGGRAPH 1978: to first order the normal of a surface
 /// raised by h is n minus the gradient of h along the surface.
 Vec3 bumped(TexturePoint& at, const TextureSet::Entry& bump, const Vec3& normal) {
-  return glm::normalize(normal - bump.strength * at.slope(*bump.texture, normal));
+  Vec3 slope(0.0);
+  for (const TextureSet::Entry* layer = &bump; layer != nullptr; layer = layer->under.get()) {
+    slope += layer->strength * at.slope(*layer->texture, normal);
+  }
+  return glm::normalize(normal - slope);
 }
 
 /// `n` made perpendicular to the view where it faces away from it; then reflections graze.
@@ -160,8 +164,18 @@ double opacity_of(TexturePoint& at, const TextureSet& textures, const Material& 
   return texture ? std::clamp(grey(at.value(*texture)), 0.0, 1.0) : material.opacity;
 }
 
-bool is_noise(const TextureSet::Entry& entry) {
-  return std::holds_alternative<NoiseTexture>(*entry.texture);
+/// The layers of an entry that the options leave in force; one without a texture if none.
+TextureSet::Entry in_force(const TextureSet::Entry& entry, const RenderOptions& options) {
+  if (!entry.texture) {
+    return {};
+  }
+  const TextureSet::Entry under =
+      entry.under ? in_force(*entry.under, options) : TextureSet::Entry{};
+  if (!(std::holds_alternative<NoiseTexture>(*entry.texture) ? options.noise : options.textures)) {
+    return under;
+  }
+  return {entry.texture, entry.strength,
+          under.texture ? std::make_shared<const TextureSet::Entry>(under) : nullptr};
 }
 
 }  // namespace
@@ -207,9 +221,7 @@ std::shared_ptr<const TextureSet> in_force(const std::shared_ptr<const TextureSe
   }
   auto left = std::make_shared<TextureSet>(*textures);
   for (TextureSet::Entry& entry : left->entries) {
-    if (entry.texture && !(is_noise(entry) ? options.noise : options.textures)) {
-      entry = {};
-    }
+    entry = in_force(entry, options);
   }
   if (!options.refraction) {
     (*left)[TextureSlot::opacity] = {};

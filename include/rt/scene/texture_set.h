@@ -24,6 +24,7 @@ struct TextureSet {
     std::shared_ptr<const Texture> texture;  ///< null: the slot is empty
     /// Height of a bump of value 1, in model units; a factor to the tilt of a normal map.
     double strength = 1.0;
+    std::shared_ptr<const Entry> under;  ///< of bumps: further heights, added up; or null
   };
 
   const Entry& operator[](TextureSlot slot) const {

@@ -88,6 +88,17 @@ TEST_F(Surfaces, NoiseIsPerlinsAtAnyCoordinateUnlessSeeded) {
       2 * colour(noise("{octaves = {{1}}, seed = 1}"), {3.14, 42, 7}, Vec3(0.0), Vec3(0.0)).r - 1);
 }
 
+TEST_F(Surfaces, BumpsAddUpWhereTold) {
+  const TextureSet& set = textures(
+      "ball:perlin_noise{on = 'bump', strength = 1}:perlin_noise{on = 'bump', strength = 2}"
+      ":perlin_noise{on = 'bump', strength = 3, add = true}");
+  const TextureSet::Entry& top = set[TextureSlot::bump];
+  EXPECT_EQ(top.strength, 3);
+  ASSERT_NE(top.under, nullptr);
+  EXPECT_EQ(top.under->strength, 2);
+  EXPECT_EQ(top.under->under, nullptr);
+}
+
 TEST_F(Surfaces, MistakesAreNamed) {
   const auto text = [&](const std::string& call) {
     return failure("local n = gr.sphere('n') " + call).text;
@@ -111,6 +122,8 @@ TEST_F(Surfaces, MistakesAreNamed) {
   expect("n:perlin_noise{seed = -1}", "whole number");
   expect("n:perlin_noise{strenght = 1}", "did you mean 'strength'");
   expect("n:perlin_noise(3)", "a table");
+  expect("n:perlin_noise{add = true}", "only bumps add up");
+  expect("for i = 1, 99 do n:perlin_noise{on = 'bump', add = true} end", "at most 64");
 }
 
 }  // namespace
