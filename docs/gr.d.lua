@@ -142,6 +142,15 @@ function gr.light(position, colour, falloff, radius) end
 ---@return gr.Texture
 function gr.checker(even, odd, size) end
 
+---A picture (PNG, JPEG, BMP, TGA, TIFF, EXR, HDR) laid on by the surface's coordinates times `scale`; `wrap` says what is beyond it: repeat, clamp, mirror or black.
+---
+---Example: `gr.texture("brick.jpg", {2, 2})`
+---@param file string
+---@param scale? number[]
+---@return gr.Texture
+---@overload fun(fields: { file: string, scale?: number[], wrap?: string }): gr.Texture
+function gr.texture(file, scale) end
+
 ---Renders the graph as it is now into a picture file.
 ---
 ---Example: `gr.render{scene = root, file = "a.png", size = {640, 480}, camera = {eye = {0, 0, 5}, look_at = {0, 0, 0}}, lights = {l}}`

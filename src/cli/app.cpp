@@ -14,6 +14,7 @@
 #include "rt/cli/starter.h"
 #include "rt/io/image.h"
 #include "rt/io/obj.h"
+#include "rt/io/texture.h"
 #include "rt/lua/script.h"
 #include "rt/render/plan.h"
 #include "rt/render/scene_warnings.h"
@@ -46,6 +47,19 @@ std::string hash_of(const std::filesystem::path& file) {
   return fmt::format("{:016x}", hash);
 }
 
+/// Where the textures that come with the program are: installed, or in its sources.
+std::filesystem::path shipped_textures() {
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+  const auto installed = program.parent_path().parent_path() / "share/raytracer/textures";
+  for (const auto& folder : {installed, std::filesystem::path(RT_TEXTURE_DIR)}) {
+    if (std::filesystem::is_directory(folder, error)) {
+      return folder;
+    }
+  }
+  return {};
+}
+
 void warn(const std::string& text) { fmt::print(stderr, "warning: {}\n", text); }
 
 /// Renders the pictures of one script.
@@ -57,14 +71,19 @@ class Session {
     const auto render = [this](RenderJob job) {
       with_threads(line_.threads, [&] { picture(std::move(job)); });
     };
-    const lua::Host host{render, io::load_obj, warn};
-    lua::run_script(line_.scene, line_.arguments, host, line_.script);
+    const auto open_texture = [this](const std::filesystem::path& file) {
+      return io::open_texture(file, line_.textures);
+    };
+    const lua::Host host{render, io::load_obj, open_texture, warn};
+    lua::Settings settings = line_.script;
+    settings.shipped_textures = shipped_textures();
+    lua::run_script(line_.scene, line_.arguments, host, settings);
     if (reports_.empty()) {
       throw SceneError(fmt::format("{}: the script made no picture; it should call gr.render(...)",
                                    line_.scene.string()));
     }
     if (!line_.stats.empty()) {
-      write_stats(line_.stats, line_.scene, thread_count(), reports_);
+      write_stats(line_.stats, line_.scene, thread_count(), io::texture_statistics(), reports_);
     }
   }
 

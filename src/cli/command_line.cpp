@@ -99,6 +99,18 @@ void declare_script(CLI::App& app, lua::Settings& script, Raw& raw) {
       ->type_name("ORDER");
 }
 
+/// What textures may use up. Not for scripts to say: these guard against them.
+void declare_textures(CLI::App& app, io::TextureLimits& textures) {
+  app.add_option("--texture-memory", textures.cache_megabytes,
+                 "memory for decoded textures (default 512)")
+      ->type_name("MB")
+      ->check(CLI::Range(16, 1 << 20));
+  app.add_option("--max-texture-size", textures.largest_side,
+                 "widest and highest picture that a texture may be (default 16384)")
+      ->type_name("PIXELS")
+      ->check(CLI::Range(1, 1 << 20));
+}
+
 void declare(CLI::App& app, CommandLine& line, Raw& raw) {
   app.add_option("scene", raw.scene, "the scene script")->type_name("SCENE.lua");
   app.add_option(
@@ -132,6 +144,7 @@ void declare(CLI::App& app, CommandLine& line, Raw& raw) {
   app.add_option("--new", line.new_scene, "write a commented scene to start from")
       ->type_name("SCENE.lua");
   declare_script(app, line.script, raw);
+  declare_textures(app, line.textures);
 }
 
 [[noreturn]] void refuse(const CLI::App& app, const CLI::ParseError& error) {

@@ -84,18 +84,24 @@ std::string summary(const PictureReport& r) {
 }
 
 void write_stats(const std::filesystem::path& file, const std::filesystem::path& scene, int threads,
-                 const std::vector<PictureReport>& reports) {
+                 const io::TextureStatistics& textures, const std::vector<PictureReport>& reports) {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   Json pictures = Json::array();
   for (const PictureReport& r : reports) {
     pictures.push_back(picture(r));
   }
-  const Json json{{"version", RT_VERSION},
-                  {"scene", scene.string()},
-                  {"threads", threads},
-                  {"peak_memory_bytes", static_cast<std::uint64_t>(usage.ru_maxrss) * 1024},
-                  {"pictures", pictures}};
+  Json json{{"version", RT_VERSION},
+            {"scene", scene.string()},
+            {"threads", threads},
+            {"peak_memory_bytes", static_cast<std::uint64_t>(usage.ru_maxrss) * 1024},
+            {"pictures", pictures}};
+  if (textures.files > 0) {
+    json["textures"] = {{"files", textures.files},
+                        {"lookups", textures.lookups},
+                        {"cache_peak_bytes", textures.cache_peak},
+                        {"load_seconds", textures.load_seconds}};
+  }
   std::ofstream out(file);
   out << json.dump(2) << '\n';
   out.close();

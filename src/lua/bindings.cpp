@@ -66,6 +66,12 @@ constexpr std::array table{
             "(even: colour, odd: colour, size?: number): texture",
             "A solid checker of cubes with edges of that size (1 unless given) in model space.",
             "gr.checker({1, 1, 1}, {0, 0, 0}, 0.5)"},
+    Binding{"gr.texture", guarded<make_texture>, 2,
+            "(file: string, scale?: {u, v}) or {file: string, scale?: {u, v}, wrap?: string}: "
+            "texture",
+            "A picture (PNG, JPEG, BMP, TGA, TIFF, EXR, HDR) laid on by the surface's coordinates "
+            "times `scale`; `wrap` says what is beyond it: repeat, clamp, mirror or black.",
+            R"(gr.texture("brick.jpg", {2, 2}))"},
     Binding{"gr.render", guarded<render>, 11,
             "(scene: node, file: string, width: number, height: number, eye: {x, y, z}, view: {x, "
             "y, z}, up: {x, y, z}, fov: number, ambient: colour, lights: {light, ...}, options?: "

@@ -34,10 +34,14 @@ struct Context {
   std::vector<Folder> module_folders;
   /// Where its meshes lie.
   std::vector<Folder> mesh_folders;
+  /// Where the pictures of its textures lie.
+  std::vector<Folder> texture_folders;
   /// Modules that are being loaded, outermost first, to report a loop of requires.
   std::vector<std::string> loading = {};
   /// Meshes by their real path: nodes of one file share its triangles.
   std::map<std::filesystem::path, std::shared_ptr<const MeshData>> meshes = {};
+  /// Pictures by their real path: textures of one file share what is decoded of it.
+  std::map<std::filesystem::path, std::shared_ptr<const TextureImage>> pictures = {};
   /// What has been said already, and will not be said again.
   std::set<std::string, std::less<>> said = {};
   /// The files of what has been run, by the names that messages give them.

@@ -64,12 +64,30 @@ std::vector<Folder> module_folders(const fs::path& script, const Settings& setti
   return folders;
 }
 
-std::vector<Folder> mesh_folders(const fs::path& script, const Settings& settings) {
-  const fs::path own = script.parent_path();
+namespace {
+
+/// Where a script's data may lie.
+std::vector<Folder> data_folders(const fs::path& own, const Settings& settings) {
   std::vector<Folder> folders{folder(own), folder({}), folder(own / "Assets"), folder("Assets")};
   for (const fs::path& allowed : settings.allowed) {
     folders.push_back(folder(allowed));
   }
+  return folders;
+}
+
+}  // namespace
+
+std::vector<Folder> texture_folders(const fs::path& script, const Settings& settings) {
+  std::vector<Folder> folders = data_folders(script.parent_path(), settings);
+  if (!settings.shipped_textures.empty()) {
+    folders.push_back(folder(settings.shipped_textures));
+  }
+  return folders;
+}
+
+std::vector<Folder> mesh_folders(const fs::path& script, const Settings& settings) {
+  const fs::path own = script.parent_path();
+  std::vector<Folder> folders = data_folders(own, settings);
   for (const fs::path& above : {own / "..", own / "../Assets"}) {
     folders.push_back(folder(above));
     folders.back().only_meshes = true;

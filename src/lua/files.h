@@ -25,6 +25,11 @@ std::vector<Folder> module_folders(const std::filesystem::path& script, const Se
 /// the folder above the script's and Assets/ in that, for OBJ files only.
 std::vector<Folder> mesh_folders(const std::filesystem::path& script, const Settings& settings);
 
+/// Where its textures are looked for, in this order: its folder and the working folder, Assets/ in
+/// both, the folders that the user allows, and the folder of the textures that come with the
+/// program.
+std::vector<Folder> texture_folders(const std::filesystem::path& script, const Settings& settings);
+
 /// The first regular file called `name` in one of `folders`. Throws SceneError when the name leads
 /// out of them, be it by "..", an absolute path or a symbolic link, unless the script is trusted;
 /// FileError when there is none.

@@ -37,6 +37,7 @@ int node_motion(Call& call);
 int make_mesh(Call& call);
 int make_material(Call& call);
 int make_checker(Call& call);
+int make_texture(Call& call);
 int make_light(Call& call);
 int render(Call& call);
 

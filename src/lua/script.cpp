@@ -174,7 +174,8 @@ void run_script(const std::filesystem::path& path, const std::vector<std::string
               .memory = std::make_shared<MemoryMeter>(memory),
               .script = program.name,
               .module_folders = module_folders(path, settings),
-              .mesh_folders = mesh_folders(path, settings)};
+              .mesh_folders = mesh_folders(path, settings),
+              .texture_folders = texture_folders(path, settings)};
   run.sources.emplace(program.name, path);
   run.memory->on_refusal = note_refusal;
   run.memory->refusal_context = &run;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "rt/io/texture.h"
 #include "rt/lua/script.h"
 #include "rt/render/film.h"
 #include "rt/scene/error.h"
@@ -27,6 +28,7 @@ struct CommandLine {
   std::filesystem::path stats;
   ProgressStyle progress = ProgressStyle::automatic;
   bool quiet = false;
+  io::TextureLimits textures;
   lua::Settings script;             ///< what the script may do
   std::filesystem::path new_scene;  ///< set: write a starter scene there, and nothing else
 };

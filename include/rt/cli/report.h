@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "rt/io/texture.h"
 #include "rt/render/render.h"
 #include "rt/scene/options.h"
 
@@ -34,6 +35,6 @@ std::string summary(const PictureReport& report);
 
 /// Writes the reports as JSON. Throws FileError.
 void write_stats(const std::filesystem::path& file, const std::filesystem::path& scene, int threads,
-                 const std::vector<PictureReport>& reports);
+                 const io::TextureStatistics& textures, const std::vector<PictureReport>& reports);
 
 }  // namespace rt::cli

@@ -11,6 +11,7 @@
 
 #include "rt/geometry/mesh.h"
 #include "rt/scene/render_job.h"
+#include "rt/scene/texture_image.h"
 
 namespace rt::lua {
 
@@ -20,6 +21,8 @@ struct Host {
   std::function<void(RenderJob)> render;
   /// Loads an OBJ file. Throws FileError or SceneError.
   std::function<std::shared_ptr<const MeshData>(const std::filesystem::path&)> load_mesh;
+  /// Opens a picture for a texture and finds out whether it can be read. Throws FileError.
+  std::function<std::shared_ptr<const TextureImage>(const std::filesystem::path&)> open_texture;
   /// Tells the user something that does not stop the script. The text carries script:line.
   std::function<void(const std::string&)> warn;
 };
@@ -41,6 +44,8 @@ struct Settings {
   bool trust = false;
   /// Further folders that the script may read from.
   std::vector<std::filesystem::path> allowed;
+  /// The folder of the textures that come with the program, where scripts may look last; or empty.
+  std::filesystem::path shipped_textures;
   /// Calls of what does not exist are skipped with a warning.
   bool lenient = false;
   TransformOrder order = TransformOrder::pre;

@@ -1,12 +1,14 @@
-/// rt_oiio.so: the only file that includes OpenImageIO.
+/// rt_oiio.so: pictures in and out, and the table of what the module offers. Textures:
+/// textures.cpp.
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <cstdint>
-#include <exception>
 
+#include "reason.h"
 #include "table.h"
+#include "textures.h"
 
 namespace rt::io {
 namespace {
@@ -14,10 +16,6 @@ namespace {
 // Four times the largest picture a sensible wall poster needs; a small file that claims more is
 // broken or hostile, and its memory is never asked for.
 constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;
-
-std::string reason_of(const std::string& reason) {
-  return reason.empty() ? "OpenImageIO gave no reason" : reason;
-}
 
 OIIO::ImageSpec spec_of(const EncodeRequest& request) {
   OIIO::ImageSpec spec(request.width, request.height, 3,
@@ -95,16 +93,6 @@ std::string decode_or_throw(const char* format, const std::string& path, Decoded
   return "";
 }
 
-template <typename F>
-std::string guarded(F function) {
-  try {
-    OIIO::attribute("debug", 0);  // Debian's build chats on standard error otherwise
-    return function();
-  } catch (const std::exception& error) {
-    return reason_of(error.what());
-  }
-}
-
 std::string encode(const EncodeRequest& request, std::vector<unsigned char>& file) {
   return guarded([&] { return encode_or_throw(request, file); });
 }
@@ -118,5 +106,8 @@ std::string decode(const char* format, const std::string& path, DecodedImage& im
 
 extern "C" {
 __attribute__((visibility("default"))) extern const rt::io::OiioTable rt_oiio_table;
-const rt::io::OiioTable rt_oiio_table{rt::io::encode, rt::io::decode};
+const rt::io::OiioTable rt_oiio_table{rt::io::encode,        rt::io::decode,
+                                      rt::io::make_texture,  rt::io::drop_texture,
+                                      rt::io::look_up,       rt::io::set_texture_memory,
+                                      rt::io::texture_counts};
 }
