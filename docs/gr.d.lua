@@ -182,19 +182,19 @@ function Node:add_child(child) end
 ---@return gr.Node
 function Node:set_material(material) end
 
----Lets a texture stand for the material's "kd" (unless a slot is given), "ks" or "opacity", or be its "bump" or "normal" map of that strength (1).
+---Lets a texture, or the picture of a file, stand for the material's "kd" (unless a slot is given), "ks" or "opacity", or be its "bump" or "normal" map of that strength (1).
 ---
 ---Example: `node:set_texture(gr.checker({1, 1, 1}, {0, 0, 0}, 1))`
----@param texture gr.Texture
+---@param texture gr.Texture|string
 ---@param slot? string
 ---@param strength? number
 ---@return gr.Node
 function Node:set_texture(texture, slot, strength) end
 
----Paints the node with noise of kind "fbm", "turbulence", "marble" or "wood", from one colour to another or along a ramp, on "kd", "ks", "opacity" or "bump".
+---Paints the node with noise of kind "fbm", "turbulence", "marble" or "wood", from one colour to another or along a ramp, on "kd", "ks", "opacity" or "bump" (with add = true on top of the bumps there are).
 ---
 ---Example: `node:perlin_noise{octaves = {{scale = 4, weight = 1}}, low = 0.1, high = 0.9}`
----@param fields { octaves?: { scale: number, weight: number }[], low?: gr.Colour, high?: gr.Colour, ramp?: number[][], seed?: number, kind?: string, on?: string, strength?: number }
+---@param fields { octaves?: { scale: number, weight: number }[], low?: gr.Colour, high?: gr.Colour, ramp?: number[][], seed?: number, kind?: string, on?: string, add?: boolean, strength?: number }
 ---@return gr.Node
 function Node:perlin_noise(fields) end
 

@@ -88,8 +88,9 @@ constexpr std::array table{
             "Gives the node, and those below it that have none, a material.",
             "node:set_material(material)"},
     Binding{"node:set_texture", guarded<node_set_texture>, 3,
-            "(texture: texture, slot?: string, strength?: number): node",
-            "Lets a texture stand for the material's \"kd\" (unless a slot is given), \"ks\" or "
+            "(texture: texture or string, slot?: string, strength?: number): node",
+            "Lets a texture, or the picture of a file, stand for the material's \"kd\" (unless a "
+            "slot is given), \"ks\" or "
             "\"opacity\", or be its \"bump\" or \"normal\" map of that strength (1).",
             "node:set_texture(gr.checker({1, 1, 1}, {0, 0, 0}, 1))"},
     Binding{"node:perlin_noise", guarded<node_perlin_noise>, 1,

@@ -8,6 +8,7 @@
 #include "fields.h"
 #include "functions.h"
 #include "nodes.h"
+#include "textures.h"
 
 namespace rt::lua {
 namespace {
@@ -195,7 +196,10 @@ std::shared_ptr<const TextureSet::Entry> layers_below(const Call& call, const No
 }  // namespace
 
 int node_set_texture(Call& call) {
-  auto texture = call.argument(1).object<const Texture>();
+  const Value first = call.argument(1, "texture");
+  std::shared_ptr<const Texture> texture = first.type() == LUA_TSTRING
+                                               ? picture_texture(call, first.text(""))
+                                               : first.object<const Texture>();
   const TextureSlot slot = slot_of(call.argument(2, "slot"));
   const double strength = strength_of(call.argument(3, "strength"), slot);
   require_fitting(call, *texture, slot);
