@@ -256,6 +256,18 @@ SurfaceCoordinates surface_coordinates(const Torus& shape, const SurfacePoint& p
           two_pi * Vec3(-p.y * cosine, w, -p.y * sine)};
 }
 
+/// The tube is a sphere of radius r that rides on the ring: normal = (p - centre) / r.
+Vec3 normal_change(const Torus& shape, const SurfacePoint& point, std::uint32_t, const Vec3& step) {
+  const Vec3& p = point.position;
+  const Meridian m = meridian(p);
+  const double R = sheet_at(shape, m.radius, p.y) * shape.major_radius;
+  const Vec3 along(-m.sine, 0, m.cosine);
+  const double turn = m.radius > 0 ? glm::dot(step, along) / m.radius : 0.0;
+  const Vec3 from_ring = p - R * Vec3(m.cosine, 0, m.sine);
+  const Vec3 change = (step - R * turn * along) / shape.minor_radius;
+  return glm::dot(from_ring, point.normal) < 0 ? -change : change;
+}
+
 Bounds bounds(const Torus& shape) {
   const double reach = size_of(shape) * (1 + gamma(1));
   return {Vec3(-reach, -shape.minor_radius, -reach), Vec3(reach, shape.minor_radius, reach)};
