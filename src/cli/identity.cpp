@@ -57,7 +57,7 @@ void add(ByteWriter& out, const Instance& instance) {
     out.value(d);
   }
   out.value(std::uint64_t{instance.shape->index()});
-  out.value(instance.texture != nullptr);
+  out.value(instance.textures != nullptr);
   out.value(instance.motion != nullptr);
 }
 
