@@ -136,6 +136,15 @@ void declare(CLI::App& app, CommandLine& line, Raw& raw) {
       ->type_name("LIST");
   app.add_option("--stats", line.stats, "write times, rays and memory as JSON")
       ->type_name("FILE.json");
+  app.add_flag("--resume", line.resume,
+               "go on where an interrupted run stopped: from the checkpoint beside its picture");
+  app.add_option("--checkpoint", line.checkpoint_every,
+                 "write a checkpoint every so often, not only when interrupted")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.01, 1e9));
+  app.add_option("--checkpoint-file", line.checkpoint_file,
+                 "where checkpoints are (default: the first picture's name, then .checkpoint)")
+      ->type_name("FILE");
   app.add_option("--progress", raw.progress, "auto|plain|json|none, on standard error")
       ->check(CLI::IsMember({"auto", "plain", "json", "none"}))
       ->type_name("STYLE");
@@ -228,6 +237,7 @@ std::optional<CommandLine> parse_command_line(int argc, const char* const* argv)
   if (split != end) {
     line.arguments.assign(split + 1, end);
   }
+  line.words.assign(argv, split);
   try {
     app.parse(static_cast<int>(split - argv), argv);
   } catch (const CLI::Success& success) {  // --help, --version

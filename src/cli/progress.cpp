@@ -5,6 +5,8 @@
 
 #include <cstdio>
 
+#include "rt/cli/say.h"
+
 namespace rt::cli {
 
 ProgressReport::ProgressReport(ProgressStyle style, bool quiet, std::string picture)
@@ -29,10 +31,12 @@ ProgressReport::~ProgressReport() {
 void ProgressReport::bar(const Progress& progress, double seconds) {
   constexpr int width = 30;
   const int filled = static_cast<int>(progress.fraction * width);
-  fmt::print(stderr, "\r{} [{:#<{}}{:.<{}}] {:3.0f}%  {:.1f} M rays/s  {:.0f} s left\033[K",
-             picture_, "", filled, "", width - filled, 100.0 * progress.fraction,
-             static_cast<double>(progress.rays) / seconds / 1e6,
-             seconds * (1.0 - progress.fraction) / progress.fraction);
+  const std::string text =
+      fmt::format("\r{} [{:#<{}}{:.<{}}] {:3.0f}%  {:.1f} M rays/s  {:.0f} s left\033[K", picture_,
+                  "", filled, "", width - filled, 100.0 * progress.fraction,
+                  static_cast<double>(progress.rays) / seconds / 1e6,
+                  seconds * (1.0 - progress.fraction) / progress.fraction);
+  std::fputs(text.c_str(), stderr);
   std::fflush(stderr);
   drawn_ = true;
 }
@@ -46,12 +50,12 @@ void ProgressReport::operator()(const Progress& progress) {
     if (due && tenths > tenths_ && tenths < 10) {
       tenths_ = tenths;
       last_ = now;
-      fmt::print(stderr, "{}: {}0%, {:.1f} s\n", picture_, tenths, seconds);
+      say(fmt::format("{}: {}0%, {:.1f} s", picture_, tenths, seconds));
     }
   } else if (due && form_ == Form::json) {
     last_ = now;
-    fmt::print(stderr, "{{\"fraction\": {:.4f}, \"rays\": {}, \"seconds\": {:.2f}}}\n",
-               progress.fraction, progress.rays, seconds);
+    say(fmt::format("{{\"fraction\": {:.4f}, \"rays\": {}, \"seconds\": {:.2f}}}",
+                    progress.fraction, progress.rays, seconds));
   } else if (due && form_ == Form::bar) {
     last_ = now;
     bar(progress, seconds);

@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "rt/io/whole_file.h"
+#include "rt/math/bytes.h"
 #include "rt/scene/error.h"
 
 namespace rt::cli {
@@ -102,12 +103,9 @@ void write_stats(const std::filesystem::path& file, const std::filesystem::path&
                         {"cache_peak_bytes", textures.cache_peak},
                         {"load_seconds", textures.load_seconds}};
   }
-  std::ofstream out(file);
-  out << json.dump(2) << '\n';
-  out.close();
-  if (!out) {
-    throw FileError(fmt::format("{}: the statistics could not be written", file.string()));
-  }
+  const std::string text = json.dump(2) + '\n';
+  io::write_whole_file(file,
+                       Bytes(reinterpret_cast<const unsigned char*>(text.data()), text.size()));
 }
 
 }  // namespace rt::cli

@@ -77,8 +77,12 @@ void write_starter_scene(const std::filesystem::path& file) {
   const bool opened = out != nullptr;
   const bool written = opened && std::fwrite(text.data(), 1, text.size(), out) == text.size();
   if ((opened && std::fclose(out) != 0) || !written) {
+    const int reason = errno;
+    if (opened) {
+      std::remove(file.c_str());
+    }
     throw FileError(fmt::format("--new: cannot write '{}': {}", file.string(),
-                                std::generic_category().message(errno)));
+                                std::generic_category().message(reason)));
   }
 }
 

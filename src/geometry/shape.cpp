@@ -19,4 +19,8 @@ const char* shape_kind(const Shape& shape) {
   return std::visit([](const auto& s) { return kind(s); }, shape);
 }
 
+bool convex(const Shape& shape) {
+  return !std::holds_alternative<Torus>(shape) && !std::holds_alternative<Mesh>(shape);
+}
+
 }  // namespace rt

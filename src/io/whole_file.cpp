@@ -2,11 +2,18 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
+#include <chrono>
+#include <climits>
+#include <mutex>
+#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -42,6 +49,57 @@ const char* what_to_try(int error) {
                               std::generic_category().message(error), what_to_try(error)));
 }
 
+/// The name of the temporary, for abandon_temporary(): set before the file is made, cleared once it
+/// is gone. Names are not used twice, so to remove one that is gone does no harm.
+std::array<char, PATH_MAX> name_at_work{};
+std::atomic<bool> at_work{false};
+
+void announce(const std::filesystem::path& name) {
+  at_work = false;
+  if (name.native().size() < name_at_work.size()) {
+    std::copy_n(name.c_str(), name.native().size() + 1, name_at_work.begin());
+    at_work = true;
+  }
+}
+
+bool is_temporary(const std::filesystem::path& file) {
+  const std::string name = file.filename();
+  return name.starts_with(".raytracer-") && name.ends_with(".tmp");
+}
+
+/// Removes what killed processes have left in the folder.
+void clean(const std::filesystem::path& folder) {
+  // A file is locked just after it is made: a minute is ample.
+  const auto old = std::filesystem::file_time_type::clock::now() - std::chrono::minutes(1);
+  std::error_code error;
+  std::filesystem::directory_iterator entries(folder, error);
+  for (; !error && entries != std::filesystem::end(entries); entries.increment(error)) {
+    const std::filesystem::directory_entry& entry = *entries;
+    std::error_code unread;
+    if (!is_temporary(entry.path()) || !entry.is_regular_file(unread) ||
+        !(entry.last_write_time(unread) < old)) {
+      continue;
+    }
+    const int file = ::open(entry.path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (file >= 0) {
+      if (::flock(file, LOCK_EX | LOCK_NB) == 0) {
+        ::unlink(entry.path().c_str());
+      }
+      ::close(file);
+    }
+  }
+}
+
+/// Once a folder.
+void clean_first(const std::filesystem::path& folder) {
+  static std::mutex mutex;
+  static std::set<std::filesystem::path> cleaned;
+  const std::scoped_lock lock(mutex);
+  if (cleaned.insert(folder).second) {
+    clean(folder.empty() ? "." : folder);
+  }
+}
+
 /// A file under a name of its own; closed and removed unless it was given its final name.
 class Temporary {
  public:
@@ -50,11 +108,13 @@ class Temporary {
     do {  // an earlier process with the same number may have been killed and left its file
       name_ = target.parent_path() /
               fmt::format(".raytracer-{}-{}.tmp", ::getpid(), counter.fetch_add(1));
+      announce(name_);
       file_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     } while (file_ < 0 && errno == EEXIST);
     if (file_ < 0) {
       fail(target_, errno);
     }
+    ::flock(file_, LOCK_EX | LOCK_NB);
   }
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;
@@ -63,6 +123,7 @@ class Temporary {
     if (!name_.empty()) {
       ::unlink(name_.c_str());
     }
+    at_work = false;
   }
 
   void write(std::span<const unsigned char> bytes) const {
@@ -103,9 +164,16 @@ class Temporary {
 }  // namespace
 
 void write_whole_file(const std::filesystem::path& path, std::span<const unsigned char> bytes) {
+  clean_first(path.parent_path());
   Temporary temporary(path);
   temporary.write(bytes);
   temporary.commit();
+}
+
+void abandon_temporary() noexcept {
+  if (at_work) {
+    ::unlink(name_at_work.data());
+  }
 }
 
 }  // namespace rt::io

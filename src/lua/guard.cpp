@@ -33,6 +33,10 @@ std::string time_text(double seconds) {
 }  // namespace
 
 std::atomic<Guard*> Guard::active_{nullptr};
+std::atomic<pthread_t> Guard::active_thread_{};
+std::atomic<bool> Guard::interrupted_{false};
+
+void interrupt() { Guard::interrupt(); }
 
 Guard::Guard(const Limits& limits, bool unlimited, std::string script)
     : limits_(limits),
@@ -45,15 +49,19 @@ Guard::~Guard() { end(); }
 
 void Guard::begin(lua_State* L) {
   running_ = L;
-  if (unlimited_) {
-    return;
-  }
   thread_ = pthread_self();
+  active_thread_ = thread_;
   active_ = this;
   struct sigaction action {};
   action.sa_handler = on_signal;
   action.sa_flags = SA_RESTART;
   sigaction(wake_up, &action, nullptr);
+  if (interrupted_) {
+    arm(L);
+  }
+  if (unlimited_) {
+    return;
+  }
 
   std::vector<Watchdog::Alarm> alarms;
   const double count_from =
@@ -90,13 +98,21 @@ Guard::Pause::~Pause() {
 
 void Guard::on_signal(int) {
   const Guard* guard = active_;
-  if (guard != nullptr && pthread_equal(pthread_self(), guard->thread_) != 0) {
+  if (guard != nullptr && pthread_equal(pthread_self(), guard->thread_) != 0 &&
+      (guard->asked_ != nothing || guard->should_stop())) {
     guard->arm(guard->running_);
   }
 }
 
+void Guard::interrupt() {
+  interrupted_ = true;
+  if (active_ != nullptr) {
+    pthread_kill(active_thread_, wake_up);
+  }
+}
+
 void Guard::arm(lua_State* L) const {
-  lua_sethook(L, hook, LUA_MASKCOUNT, asked_ == stopping || stopped_ ? 1 : period_);
+  lua_sethook(L, hook, LUA_MASKCOUNT, should_stop() ? 1 : period_);
 }
 
 void Guard::ask(Asked what) {
@@ -106,7 +122,7 @@ void Guard::ask(Asked what) {
 
 void Guard::switch_to(lua_State* L) {
   running_ = L;
-  if (asked_ == stopping || stopped_ || (asked_ == counting && lua_gethook(L) == nullptr)) {
+  if (should_stop() || (asked_ == counting && lua_gethook(L) == nullptr)) {
     arm(L);
   }
 }
@@ -128,7 +144,9 @@ void Guard::hook(lua_State* L, lua_Debug*) { context(L).guard.on_hook(L); }
 
 void Guard::on_hook(lua_State* L) {
   if (!stopped_) {
-    if (asked_ == stopping) {
+    if (interrupted_) {
+      stop(L, ExitCode::interrupted, at_location(L, script_, "interrupted"));
+    } else if (asked_ == stopping) {
       stop(L, ExitCode::limit, at_location(L, script_, time_text(limits_.seconds)));
     } else {
       count(L);

@@ -57,6 +57,9 @@ class Guard {
   /// A coroutine starts counting afresh: one that is short-lived would never be counted.
   void count_new_coroutine(lua_State* L);
 
+  /// lua::interrupt().
+  static void interrupt();
+
   /// Stops the script. The caller raises the error.
   void stop(lua_State* L, ExitCode code, const std::string& text);
   const std::optional<UserError>& stopped() const { return stopped_; }
@@ -66,6 +69,7 @@ class Guard {
   static void hook(lua_State* L, lua_Debug*);
   static void on_signal(int);
   void arm(lua_State* L) const;
+  bool should_stop() const { return asked_ == stopping || stopped_ || interrupted_; }
   void ask(Asked what);
   void on_hook(lua_State* L);
   void count(lua_State* L);
@@ -73,6 +77,9 @@ class Guard {
   [[noreturn]] void abandon() const;
 
   static std::atomic<Guard*> active_;
+  /// The thread of the active guard; stays when it ends, so that a signal handler may use it.
+  static std::atomic<pthread_t> active_thread_;
+  static std::atomic<bool> interrupted_;
 
   const Limits limits_;
   const bool unlimited_;

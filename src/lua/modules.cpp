@@ -21,6 +21,9 @@ void load(lua_State* L, const FoundFile& file) {
   if (context(L).sources.size() < most) {
     context(L).sources.emplace(file.shown, file.real);
   }
+  if (const auto& reads = context(L).host.reads) {
+    reads(file.real);
+  }
   if (load_text(L, read_file(file.real, file.shown), file.shown) != LUA_OK) {
     lua_error(L);  // its message has file and line
   }

@@ -164,6 +164,9 @@ void note_refusal(void* context) {
 
 void run_script(const std::filesystem::path& path, const std::vector<std::string>& args,
                 const Host& host, const Settings& settings) {
+  if (host.reads) {
+    host.reads(path);
+  }
   Program program{read_file(path, path.string()), path.string(), args};
   Guard guard(settings.limits, settings.trust, program.name);
   const std::size_t memory =

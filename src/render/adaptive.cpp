@@ -3,6 +3,7 @@
 #include "rt/render/thin.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace rt {
@@ -56,7 +57,8 @@ void set_error(PixelEstimate& e, Encoding encoding) {
 
 }  // namespace
 
-void AdaptiveTile::pilots(PixelSampler& sampler, RenderStatistics& statistics) {
+void AdaptiveTile::pilots(PixelSampler& sampler, const Deadline& deadline,
+                          RenderStatistics& statistics) {
   pixels_.assign(
       static_cast<std::size_t>(area_.width + 2) * static_cast<std::size_t>(area_.height + 2), {});
   const RenderPlan& plan = sampler.plan();
@@ -64,11 +66,16 @@ void AdaptiveTile::pilots(PixelSampler& sampler, RenderStatistics& statistics) {
   const std::uint32_t first = std::min(pilot_samples, most);
   const int right = area_.x + area_.width;
   const int bottom = area_.y + area_.height;
+  RenderStatistics within;
   RenderStatistics outside;
   for (int y = area_.y - 1; y <= bottom; ++y) {
+    if (deadline.told()) {
+      release();
+      return;
+    }
     for (int x = area_.x - 1; x <= right; ++x) {
       const bool inside = x >= area_.x && x < right && y >= area_.y && y < bottom;
-      RenderStatistics& counts = inside ? statistics : outside;
+      RenderStatistics& counts = inside ? within : outside;
       PixelEstimate& e = pixels_[index(x, y)];
       grow(sampler, e, x, y, first, counts);
       const int wanted = plan.thin ? thin_pilots(plan, x, y) : 0;
@@ -79,6 +86,7 @@ void AdaptiveTile::pilots(PixelSampler& sampler, RenderStatistics& statistics) {
     }
   }
   outside.bad_samples = 0;  // they count in the tile that they belong to
+  statistics += within;
   statistics += outside;
   for (int y = area_.y; y < bottom; ++y) {
     for (int x = area_.x; x < right; ++x) {
@@ -107,7 +115,7 @@ void AdaptiveTile::estimate_from_contrast(PixelEstimate& e, int x, int y,
   set_error(e, plan.options.encoding);
 }
 
-void AdaptiveTile::refine(PixelSampler& sampler, double target, const Deadline& deadline,
+bool AdaptiveTile::refine(PixelSampler& sampler, double target, const Deadline& deadline,
                           RenderStatistics& statistics) {
   const RenderPlan& plan = sampler.plan();
   const auto most = static_cast<std::uint32_t>(plan.options.max_samples);
@@ -116,7 +124,7 @@ void AdaptiveTile::refine(PixelSampler& sampler, double target, const Deadline& 
       PixelEstimate& e = pixels_[index(x, y)];
       while (e.error > target && 2 * e.count <= most) {
         if (deadline.passed()) {
-          return;
+          return false;
         }
         grow(sampler, e, x, y, 2 * e.count, statistics);
         const double rate = observed_exponent(e);
@@ -125,6 +133,30 @@ void AdaptiveTile::refine(PixelSampler& sampler, double target, const Deadline& 
                          ? (variance_of_quarters(e, rate) + memory * expected) / (1.0 + memory)
                          : expected;
         set_error(e, plan.options.encoding);
+      }
+    }
+  }
+  return true;
+}
+
+void AdaptiveTile::save(ByteWriter& out) const {
+  for (int y = area_.y; y < area_.y + area_.height; ++y) {
+    out.list(std::span(&at(area_.x, y), static_cast<std::size_t>(area_.width)));
+  }
+}
+
+void AdaptiveTile::load(ByteReader& in, std::uint32_t most) {
+  pixels_.assign(
+      static_cast<std::size_t>(area_.width + 2) * static_cast<std::size_t>(area_.height + 2), {});
+  for (int y = area_.y; y < area_.y + area_.height; ++y) {
+    const std::span row(&pixels_[index(area_.x, y)], static_cast<std::size_t>(area_.width));
+    in.list(row);
+    for (const PixelEstimate& e : row) {
+      const std::uint32_t doublings = e.count / std::min(pilot_samples, most);
+      const bool regular =
+          std::has_single_bit(doublings) && doublings * std::min(pilot_samples, most) == e.count;
+      if (!regular || e.count > most || e.pilots > e.count || e.bad > e.count) {
+        throw std::out_of_range("no pixel");
       }
     }
   }

@@ -77,18 +77,10 @@ Rgb reflected(const Phong& phong, const ShadingPoint& point, const Vec3& view, c
   return sum;
 }
 
-}  // namespace
-
-Rgb visibility(const RenderPlan& plan, const ShadingPoint& from, const Vec3& way, double reach,
-               RayCounts& counts) {
-  ++counts.shadow;
-  if (occluded(plan, leave(from, way), reach)) {
-    return Rgb(0.0);
-  }
+/// Dimmed by what the way crosses.
+Rgb dimmed(const RenderPlan& plan, const ShadingPoint& from, const Vec3& way, double reach,
+           RayCounts& counts) {
   Rgb share(1.0);
-  if (!plan.dims) {
-    return share;
-  }
   ShadingPoint at = from;
   for (double rest = reach; !is_black(share);) {
     const TraceRay ray = leave(at, way);
@@ -112,10 +104,32 @@ Rgb visibility(const RenderPlan& plan, const ShadingPoint& from, const Vec3& way
   return share;
 }
 
+/// What share of light `index` arrives at a point from `reach` away in direction `way` (unit): 0
+/// behind anything that blocks, less than 1 behind what dims.
+Rgb visibility(const RenderPlan& plan, std::size_t index, const ShadingPoint& from, const Vec3& way,
+               double reach, ShadowCache& cache, RayCounts& counts) {
+  ++counts.shadow;
+  const Candidates blockers = cache.towards(index, from.position);
+  const bool occluded_here =
+      blockers.known ? !blockers.instances.empty() &&
+                           occluded_by(plan, blockers.instances, leave(from, way), reach)
+                     : occluded(plan, leave(from, way), reach);
+  if (occluded_here) {
+    return Rgb(0.0);
+  }
+  const bool may_dim = plan.dims && (plan.absorbs || !blockers.known || blockers.dims);
+  return may_dim ? dimmed(plan, from, way, reach, counts) : Rgb(1.0);
+}
+
+}  // namespace
+
 Rgb direct_light(const RenderPlan& plan, std::size_t index, const Phong& phong,
                  const ShadingPoint& point, const Vec3& view, const Sampler& sampler,
-                 const Vertex& vertex, double negligible, RayCounts& counts) {
+                 const Vertex& vertex, double negligible, ShadowCache& cache, RayCounts& counts) {
   const Light& light = plan.lights[index];
+  if (is_black(phong.kd) && is_black(phong.ks)) {
+    return Rgb(0.0);
+  }
   const LightSample s = sample_light(light, point, sampler, vertex);
   const Rgb value = reflected(phong, point, view, s.direction) * light.colour *
                     (s.weight * falloff(light, s.distance));
@@ -127,7 +141,7 @@ Rgb direct_light(const RenderPlan& plan, std::size_t index, const Phong& phong,
   }
   // A surface through the light, as far as rounding can tell, does not shadow it.
   const double reach = s.distance - (point.position_error + gamma(4) * max_abs(light.position));
-  return value * visibility(plan, point, s.direction, reach, counts);
+  return value * visibility(plan, index, point, s.direction, reach, cache, counts);
 }
 
 }  // namespace rt

@@ -8,6 +8,7 @@
 #include "media_plan.h"
 #include "rt/render/accel/box_list.h"
 #include "rt/render/accel/box_tree.h"
+#include "rt/render/accel/grid.h"
 #include "rt/render/surface_texture.h"
 #include "rt/render/thin.h"
 
@@ -17,16 +18,23 @@ namespace {
 // Up to so many boxes a list is faster than a hierarchy (bench/NOTES.md).
 constexpr std::size_t few = 96;
 
-enum class Candidates { one_by_one, list, tree };
+// Triangles are cheaper than the setting out on a walk among so few.
+constexpr std::size_t few_triangles = 8;
 
-Candidates candidates_for(const RenderOptions& options, std::size_t boxes) {
+enum class Search { one_by_one, list, grid, tree };
+
+Search search_for(const RenderOptions& options, std::size_t boxes) {
   if (!options.acceleration || options.accel == AccelChoice::none || boxes == 0) {
-    return Candidates::one_by_one;
+    return Search::one_by_one;
   }
-  if (options.accel == AccelChoice::automatic) {
-    return boxes > few ? Candidates::tree : Candidates::list;
+  switch (options.accel) {
+    case AccelChoice::grid:
+      return Search::grid;
+    case AccelChoice::bvh:
+      return Search::tree;
+    default:
+      return boxes > few ? Search::tree : Search::list;
   }
-  return options.accel == AccelChoice::bvh ? Candidates::tree : Candidates::list;
 }
 
 class Planner {
@@ -46,7 +54,11 @@ class Planner {
       // Its colour over the least of the falloff; endless where nothing bounds that.
       brightest_light_ = std::max(brightest_light_, max_abs(light.colour) / light.falloff.c0);
     }
-    plan_.instances.reserve(job_.instances.size() + job_.lights.size());
+    const std::size_t most = job_.instances.size() + job_.lights.size();
+    plan_.instances.reserve(most);
+    plan_.bounded.reserve(most);
+    all_boxes_.reserve(most);
+    boxes_.reserve(most);
     for (const Instance& instance : job_.instances) {
       place(instance);
     }
@@ -57,14 +69,17 @@ class Planner {
       let_clear_glass_dim();
     }
     find_media(plan_, all_boxes_);
-    switch (candidates_for(plan_.options, boxes_.size())) {
-      case Candidates::tree:
+    switch (search_for(plan_.options, boxes_.size())) {
+      case Search::tree:
         plan_.tree = std::make_unique<BoxTree>(boxes_);
         break;
-      case Candidates::list:
+      case Search::list:
         plan_.list = std::make_unique<BoxList>(boxes_);
         break;
-      case Candidates::one_by_one:
+      case Search::grid:
+        plan_.grid = std::make_unique<Grid>(boxes_);
+        break;
+      case Search::one_by_one:
         break;
     }
     if (fixed_samples(plan_.options) == 0 && plan_.options.aa == AntiAliasing::adaptive) {
@@ -146,6 +161,7 @@ class Planner {
     }
     to.textures = textures(from.textures);
     plan_.footprints |= to.textures && plan_.options.texture_filter;
+    to.convex = convex(*from.shape);
     to.material = material(
         {from.material.get(), driven(to, TextureSlot::opacity), driven(to, TextureSlot::ks)},
         from.material);
@@ -274,7 +290,8 @@ class Planner {
       auto planned = std::make_unique<PlannedMesh>();
       planned->data = from.data;
       const auto count = static_cast<std::uint32_t>(from.data->triangles.size());
-      if (candidates_for(plan_.options, count) == Candidates::tree) {
+      if (plan_.options.acceleration && plan_.options.accel != AccelChoice::none &&
+          count > few_triangles) {
         std::vector<Bounds> boxes;
         boxes.reserve(count);
         for (std::uint32_t i = 0; i < count; ++i) {

@@ -5,6 +5,7 @@
 #include "rt/math/rounding.h"
 #include "rt/render/accel/box_list.h"
 #include "rt/render/accel/box_tree.h"
+#include "rt/render/accel/grid.h"
 
 namespace rt {
 namespace {
@@ -36,6 +37,11 @@ ModelRay to_model(const RenderPlan& plan, std::uint32_t id, const TraceRay& ray)
     model.start.feature = ray.feature;
   }
   return model;
+}
+
+/// Whether the ray has just left that instance and cannot meet it again.
+bool left_for_good(const PlannedInstance& instance, std::uint32_t id, const TraceRay& ray) {
+  return ray.instance == id && ray.leaving == Leaving::outward && instance.convex;
 }
 
 OptionalHit nearest_triangle(const PlannedMesh& mesh, const ModelRay& model, double t_max) {
@@ -119,7 +125,9 @@ void each_candidate(const RenderPlan& plan, const Ray& ray, double t_max, Visit 
   if (plan.list) {
     plan.list->walk(ray, t_max, visit_box);
   } else if (plan.tree) {
-    plan.tree->walk(ray, t_max, visit_box);
+    plan.tree->walk_unit(ray, t_max, visit_box);
+  } else if (plan.grid) {
+    plan.grid->walk(ray, t_max, visit_box);
   } else {
     for (std::uint32_t index = 0; index < plan.bounded.size() && t_max >= 0.0; ++index) {
       t_max = visit_box(index);
@@ -133,7 +141,8 @@ std::optional<SceneHit> nearest_of(const RenderPlan& plan, const TraceRay& ray, 
                                    Counts counts) {
   Nearest nearest(plan, ray, t_max);
   each_candidate(plan, {ray.origin, ray.direction}, t_max, [&](std::uint32_t id) {
-    if (counts(plan.instances[id])) {
+    const PlannedInstance& instance = plan.instances[id];
+    if (counts(instance) && !left_for_good(instance, id, ray)) {
       if (const auto hit = intersect_instance(plan, id, ray, nearest.limit())) {
         nearest.offer({hit->t, id, hit->feature});
       }
@@ -141,6 +150,12 @@ std::optional<SceneHit> nearest_of(const RenderPlan& plan, const TraceRay& ray, 
     return nearest.limit();
   });
   return nearest.winner();
+}
+
+bool blocks(const RenderPlan& plan, std::uint32_t id, const TraceRay& ray, double t_max) {
+  const PlannedInstance& instance = plan.instances[id];
+  return instance.shadow == Shadow::blocks && !left_for_good(instance, id, ray) &&
+         intersect_instance(plan, id, ray, t_max).has_value();
 }
 
 }  // namespace
@@ -165,6 +180,18 @@ std::optional<SceneHit> closest_hit(const RenderPlan& plan, const TraceRay& ray)
                     [](const PlannedInstance&) { return true; });
 }
 
+std::optional<SceneHit> closest_hit_among(const RenderPlan& plan,
+                                          std::span<const std::uint32_t> instances,
+                                          const TraceRay& ray) {
+  Nearest nearest(plan, ray, std::numeric_limits<double>::infinity());
+  for (const std::uint32_t id : instances) {
+    if (const auto hit = intersect_instance(plan, id, ray, nearest.limit())) {
+      nearest.offer({hit->t, id, hit->feature});
+    }
+  }
+  return nearest.winner();
+}
+
 std::optional<SceneHit> closest_dimming_hit(const RenderPlan& plan, const TraceRay& ray,
                                             double t_max) {
   return nearest_of(plan, ray, t_max, [](const PlannedInstance& instance) {
@@ -175,11 +202,16 @@ std::optional<SceneHit> closest_dimming_hit(const RenderPlan& plan, const TraceR
 bool occluded(const RenderPlan& plan, const TraceRay& ray, double t_max) {
   bool found = false;
   each_candidate(plan, {ray.origin, ray.direction}, t_max, [&](std::uint32_t id) {
-    found = plan.instances[id].shadow == Shadow::blocks &&
-            intersect_instance(plan, id, ray, t_max).has_value();
+    found = blocks(plan, id, ray, t_max);
     return found ? -1.0 : t_max;
   });
   return found;
+}
+
+bool occluded_by(const RenderPlan& plan, std::span<const std::uint32_t> instances,
+                 const TraceRay& ray, double t_max) {
+  return std::ranges::any_of(instances,
+                             [&](std::uint32_t id) { return blocks(plan, id, ray, t_max); });
 }
 
 }  // namespace rt

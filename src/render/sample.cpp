@@ -48,7 +48,8 @@ std::optional<Rgb> PixelSampler::take_at(int x, int y, const Vec2& offset, const
   // Filters reach beyond the picture's edge; the background's gradient does not.
   const TraceRay ray =
       plan.moves ? moving_ray(plan, px, py, sample) : lens_ray(plan.camera, px, py, sample);
-  const Rgb value = tracer_.radiance(ray, std::clamp(py, 0.0, 1.0), sample, statistics.rays);
+  const Rgb value = tracer_.radiance(ray, std::clamp(py, 0.0, 1.0), sample, statistics.rays,
+                                     sight_.through(x + offset.x, y + offset.y));
   ++statistics.samples;
   if (!all_finite(value)) {
     statistics.add_bad(x, y);

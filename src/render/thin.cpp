@@ -1,4 +1,5 @@
 #include "rt/render/thin.h"
+#include <memory>
 
 #include <algorithm>
 #include <cmath>

@@ -97,6 +97,7 @@ constexpr std::array encodings{std::pair{std::string_view("srgb"), Encoding::srg
 constexpr std::array accels{std::pair{std::string_view("auto"), AccelChoice::automatic},
                             std::pair{std::string_view("none"), AccelChoice::none},
                             std::pair{std::string_view("list"), AccelChoice::list},
+                            std::pair{std::string_view("grid"), AccelChoice::grid},
                             std::pair{std::string_view("bvh"), AccelChoice::bvh}};
 
 constexpr std::array filters{
@@ -163,11 +164,11 @@ constexpr std::array specs{
                "8-bit pictures hold sRGB (default) or the linear value times 255",
                [](RenderOptions& o, const OptionValue& v) { o.encoding = as_choice(v, encodings); },
                [](const RenderOptions& o) { return name_of(o.encoding, encodings); }},
-    OptionSpec{
-        "accel", "", "auto|none|list|bvh",
-        "how hits are found: by the scene's size (default), one by one, boxes in a list, hierarchy",
-        [](RenderOptions& o, const OptionValue& v) { o.accel = as_choice(v, accels); },
-        [](const RenderOptions& o) { return name_of(o.accel, accels); }},
+    OptionSpec{"accel", "", "auto|none|list|grid|bvh",
+               "how hits are found: by the scene's size (default), one by one, boxes in a list, "
+               "uniform grid, hierarchy",
+               [](RenderOptions& o, const OptionValue& v) { o.accel = as_choice(v, accels); },
+               [](const RenderOptions& o) { return name_of(o.accel, accels); }},
     feature<&RenderOptions::reflection>("reflection", "mirror reflection"),
     feature<&RenderOptions::refraction>("refraction", "refraction; off: transparent is opaque"),
     feature<&RenderOptions::soft_shadows>("soft_shadows", "extended lights; off: all are points"),

@@ -113,11 +113,14 @@ TEST_F(Command, EqualInputsGiveEqualFiles) {
 }
 
 TEST_F(Command, PlacesThatCannotBeWrittenExitWithThree) {
-  for (const char* where : {"-o missing/ball.png", "-o ball.gif", "-o ball", "-o /proc/ball.png"}) {
+  for (const char* where : {"-o missing/ball.png", "-o ball.gif", "-o ball"}) {
     const Outcome o = run_script(sphere_script(), where);
     EXPECT_EQ(o.exit_code, 3) << where << o.err;
     EXPECT_FALSE(left_a_file()) << where;
   }
+  // Whoever may write to any folder learns only in the end that this takes no files: the picture is
+  // then kept elsewhere.
+  EXPECT_EQ(run_script(sphere_script(), "-o /proc/ball.png").exit_code, 3);
   EXPECT_EQ(run("nowhere.lua").exit_code, 3);
   EXPECT_EQ(run_script(sphere_script(), "-q --stats missing/s.json").exit_code, 3);
   EXPECT_TRUE(exists("ball.png")) << "the picture itself is not lost";

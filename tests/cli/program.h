@@ -23,6 +23,12 @@ inline std::string contents(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// As one value, so that a failing test does not print pictures.
+inline bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  const std::string bytes = contents(a);
+  return !bytes.empty() && bytes == contents(b);
+}
+
 /// A test in an empty temporary folder.
 class ProgramTest : public ::testing::Test {
  protected:

@@ -21,6 +21,9 @@ class Untrusted : public ProgramTest {
 };
 
 TEST_F(Untrusted, LimitsExitWithFourAndSayHowToRaiseThem) {
+#if defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "ThreadSanitizer delays the signals that end a script";
+#endif
   expect_limit("while true do end", "--script-time 0.2", "limit of 0.2 s; --script-time");
   expect_limit("while true do pcall(error) end", "--script-instructions 100000",
                "limit of 100000 instructions; --script-instructions");

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "rt/io/obj.h"
+#include "rt/io/texture.h"
 #include "rt/lua/script.h"
 #include "rt/scene/error.h"
 #include "script_grammar.h"
@@ -48,7 +49,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     text = ScriptGrammar({data + 1, size - 1}).script();
   }
   std::ofstream(file, std::ios::binary) << text;
-  const rt::lua::Host host{check, rt::io::load_obj, [](const std::string&) {}};
+  const auto open_texture = [](const std::filesystem::path& file) {
+    return rt::io::open_texture(file);
+  };
+  const rt::lua::Host host{check, rt::io::load_obj, open_texture, [](const std::string&) {}};
   rt::lua::Settings settings;
   settings.limits = {.memory = 32 << 20, .seconds = 20.0, .instructions = 200'000};
   settings.lenient = size > 1 && data[1] % 2 == 1;

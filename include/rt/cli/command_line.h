@@ -26,6 +26,10 @@ struct CommandLine {
   std::vector<std::pair<const OptionSpec*, OptionValue>>
       settings;  ///< in order, on top of the script's
   std::filesystem::path stats;
+  bool resume = false;
+  double checkpoint_every = 0.0;          ///< seconds; 0: only when interrupted
+  std::filesystem::path checkpoint_file;  ///< empty: beside the first picture
+  std::vector<std::string> words;         ///< the command line as given, up to "--"
   ProgressStyle progress = ProgressStyle::automatic;
   bool quiet = false;
   io::TextureLimits textures;

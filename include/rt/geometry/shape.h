@@ -33,4 +33,7 @@ using Shape = std::variant<Sphere, Box, Plane, Square, Cylinder, PointedCone, To
 /// The shape's name in scripts and messages: "sphere", "torus", ...
 const char* shape_kind(const Shape& shape);
 
+/// Whether no line crosses the shape's surface more than twice.
+bool convex(const Shape& shape);
+
 }  // namespace rt

@@ -9,6 +9,14 @@ namespace rt::io {
 /// folder, onto the disk, and only then take the name. On failure the temporary is removed and
 /// FileError thrown, which names the file, the reason and what to try; a file that stood under the
 /// name before is then still there. A symbolic link under that name is replaced, not followed.
+///
+/// A process that is killed leaves its temporary, `.raytracer-PROCESS-N.tmp`; the first file that a
+/// later process writes to the folder removes those that are over a minute old and that no process
+/// holds (by its lock).
 void write_whole_file(const std::filesystem::path& path, std::span<const unsigned char> bytes);
+
+/// Removes the temporary that is being written, if there is one; the writing then fails. For a
+/// signal handler that ends the process.
+void abandon_temporary() noexcept;
 
 }  // namespace rt::io

@@ -25,6 +25,8 @@ struct Host {
   std::function<std::shared_ptr<const TextureImage>(const std::filesystem::path&)> open_texture;
   /// Tells the user something that does not stop the script. The text carries script:line.
   std::function<void(const std::string&)> warn;
+  /// Called with every file of source text that is run: the script, and what it requires.
+  std::function<void(const std::filesystem::path&)> reads = {};
 };
 
 /// What a script may use up before it is stopped with ExitCode::limit.
@@ -63,5 +65,9 @@ struct Settings {
 /// a message on standard error, exit code 4. Only one script runs at a time in a process.
 void run_script(const std::filesystem::path& path, const std::vector<std::string>& args,
                 const Host& host, const Settings& settings = {});
+
+/// Makes the script that is running, or the next one, end with ExitCode::interrupted at its next
+/// instruction. May be called by a signal handler, on any thread, and holds for good.
+void interrupt();
 
 }  // namespace rt::lua

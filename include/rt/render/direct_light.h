@@ -1,5 +1,6 @@
 #pragma once
 #include "rt/math/sampler.h"
+#include "rt/render/accel/shadow_cache.h"
 #include "rt/render/shading.h"
 
 namespace rt {
@@ -18,11 +19,6 @@ struct Phong {
 /// are below `negligible` in every channel are left out, and cost no shadow ray.
 Rgb direct_light(const RenderPlan& plan, std::size_t index, const Phong& phong,
                  const ShadingPoint& point, const Vec3& view, const Sampler& sampler,
-                 const Vertex& vertex, double negligible, RayCounts& counts);
-
-/// What share of the light arrives at a point from `reach` away in direction `way` (unit): 0 behind
-/// anything that blocks, less than 1 behind what dims.
-Rgb visibility(const RenderPlan& plan, const ShadingPoint& from, const Vec3& way, double reach,
-               RayCounts& counts);
+                 const Vertex& vertex, double negligible, ShadowCache& cache, RayCounts& counts);
 
 }  // namespace rt

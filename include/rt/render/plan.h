@@ -14,6 +14,7 @@ namespace rt {
 
 class BoxList;
 class BoxTree;
+class Grid;
 struct ThinThings;
 
 /// The triangles of one mesh, shared by all its instances.
@@ -57,6 +58,7 @@ struct PlannedInstance : Placement {
   std::uint32_t material = 0;
   Shadow shadow = Shadow::blocks;
   const PlannedMesh* mesh = nullptr;
+  bool convex = false;  ///< a ray that has left it outward never meets it again
   std::unique_ptr<const PlannedMotion> motion;  ///< null: it stands still
 };
 
@@ -104,9 +106,10 @@ struct RenderPlan {
   std::vector<std::unique_ptr<const PlannedMesh>> meshes;
   std::vector<std::uint32_t> unbounded;  ///< instances no box can hold
   std::vector<std::uint32_t> bounded;    ///< the others: what the tree's boxes stand for
-  /// Over `bounded`: a hierarchy, or for a few a list; neither: try them one by one.
+  /// Over `bounded`: a hierarchy, for a few a list, on request a grid; none: try them one by one.
   std::unique_ptr<const BoxTree> tree;
   std::unique_ptr<const BoxList> list;
+  std::unique_ptr<const Grid> grid;
   std::unique_ptr<const ThinThings> thin;  ///< null: nothing is narrower than pixels
   std::vector<PlannedMaterial> materials;
   std::vector<Light> lights;  ///< positions in render space

@@ -1,6 +1,7 @@
 #pragma once
 /// The two questions asked of a scene.
 #include <optional>
+#include <span>
 
 #include "rt/render/plan.h"
 #include "rt/render/trace.h"
@@ -15,6 +16,11 @@ Ray model_ray(const Placement& instance, const TraceRay& ray);
 /// not speckle.
 std::optional<SceneHit> closest_hit(const RenderPlan& plan, const TraceRay& ray);
 
+/// The same, when only these instances can be crossed.
+std::optional<SceneHit> closest_hit_among(const RenderPlan& plan,
+                                          std::span<const std::uint32_t> instances,
+                                          const TraceRay& ray);
+
 /// The nearest crossing of that one instance.
 std::optional<SceneHit> instance_hit(const RenderPlan& plan, std::uint32_t instance,
                                      const TraceRay& ray);
@@ -25,5 +31,8 @@ std::optional<SceneHit> closest_dimming_hit(const RenderPlan& plan, const TraceR
 
 /// Whether anything that blocks shadow rays is crossed with 0 < t <= t_max.
 bool occluded(const RenderPlan& plan, const TraceRay& ray, double t_max);
+/// The same, when only these instances can be.
+bool occluded_by(const RenderPlan& plan, std::span<const std::uint32_t> instances,
+                 const TraceRay& ray, double t_max);
 
 }  // namespace rt

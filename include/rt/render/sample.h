@@ -2,6 +2,7 @@
 /// One sample of a pixel: the camera's ray at a place on the pixel's filter and on the lens.
 #include <optional>
 
+#include "rt/render/accel/sight_cache.h"
 #include "rt/render/statistics.h"
 #include "rt/render/tracer.h"
 
@@ -10,7 +11,7 @@ namespace rt {
 /// Takes samples. One a thread.
 class PixelSampler {
  public:
-  explicit PixelSampler(const RenderPlan& plan) : tracer_(plan) {}
+  explicit PixelSampler(const RenderPlan& plan) : tracer_(plan), sight_(plan) {}
 
   const RenderPlan& plan() const { return tracer_.plan(); }
 
@@ -24,6 +25,7 @@ class PixelSampler {
 
  private:
   Tracer tracer_;
+  SightCache sight_;
 };
 
 }  // namespace rt

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "rt/math/sampler.h"
+#include "rt/render/accel/shadow_cache.h"
 #include "rt/render/footprint.h"
 #include "rt/render/surface_texture.h"
 
@@ -23,8 +24,10 @@ class Tracer {
 
   const RenderPlan& plan() const { return plan_; }
 
-  /// `y` in [0,1], from the picture's top, places a background gradient. Counts the rays it takes.
-  Rgb radiance(const TraceRay& camera_ray, double y, const Sampler& sampler, RayCounts& counts);
+  /// `y` in [0,1], from the picture's top, places a background gradient. `sight`: what the camera
+  /// ray can meet. Counts the rays it takes.
+  Rgb radiance(const TraceRay& camera_ray, double y, const Sampler& sampler, RayCounts& counts,
+               const Candidates& sight = {});
 
   /// The weight below which a branch does not matter, from the options' max_error.
   double negligible() const { return negligible_; }
@@ -48,12 +51,14 @@ class Tracer {
 
   const RenderPlan& plan_;
   double negligible_;
+  ShadowCache shadow_cache_;
   std::vector<Path> open_;
   std::optional<FootprintTrail> trail_;  ///< beside open_, where textures want footprints
 
   // Of the sample being taken.
   Rgb sum_{0.0};
   double y_ = 0.0;
+  Candidates sight_;
   const Sampler* sampler_ = nullptr;
   RayCounts* counts_ = nullptr;
 };

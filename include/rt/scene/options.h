@@ -16,7 +16,7 @@ namespace rt {
 /// How 8-bit pictures encode linear values.
 enum class Encoding { srgb, raw };
 /// How the ray's candidates are found.
-enum class AccelChoice { automatic, none, list, bvh };
+enum class AccelChoice { automatic, none, list, grid, bvh };
 
 /// How a pixel is made from samples.
 enum class AntiAliasing {

@@ -62,6 +62,25 @@ TEST_F(Sandbox, ErrorsStillReadWellWhenGlobalsAreGone) {
       "scene.lua:2: gr.sphere: expected a name (string) as argument 1, got a table with 2 items");
 }
 
+TEST_F(Sandbox, SetmetatableIsTheLibrarysButForFinalisers) {
+  run(R"(
+    local t, mt = {}, {__index = {x = 5}}
+    assert(setmetatable(t, mt) == t and getmetatable(t) == mt and t.x == 5)
+    assert(setmetatable(t, nil) == t and getmetatable(t) == nil)
+    assert(select('#', setmetatable(t, mt, 3)) == 1)
+    local shut = setmetatable({}, {__metatable = 'shut'})
+    local function refused(text, ...)
+      local ok, message = pcall(setmetatable, ...)
+      assert(not ok and message:find(text, 1, true), message)
+    end
+    refused('protected metatable', shut, {})
+    refused('protected metatable', shut, nil)
+    refused('table expected', 5, {})
+    refused('nil or table expected', {}, 5)
+    refused('nil or table expected', {})
+    refused('finalisers', {}, {__gc = true}))");
+}
+
 TEST_F(Sandbox, TablesWithMetamethodsAreReadRaw) {
   expect_error(
       "local t = setmetatable({}, {__index = function() error('called') end})\n"

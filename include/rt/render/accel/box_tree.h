@@ -1,42 +1,124 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
-#include "rt/math/bounds.h"
-#include "rt/math/ray.h"
+#include "rt/render/accel/box_group.h"
 
 namespace rt {
 
 /// A hierarchy over boxes that finds the candidates along a ray; which of them is hit, and where,
-/// the caller decides in double precision.
-///
-/// Embree walks it, in single precision. It cannot lose a candidate: boxes and rays are moved and
-/// scaled in double so that all boxes fill [-1,1]^3, rays are clipped to that cube and given an
-/// origin on or in it, and the boxes are enlarged by more than rays and boxes can be displaced by
-/// rounding (see box_tree.cpp). Holds for boxes that are finite and not empty.
+/// the caller decides in double precision. Embree builds it, by the surface area heuristic; nodes
+/// of eight boxes are walked here, so that what is done with a candidate is compiled into the walk.
+/// No candidate is lost (BoxSpace).
 class BoxTree {
  public:
+  /// Throws std::bad_alloc when memory runs out.
   explicit BoxTree(const std::vector<Bounds>& boxes);
-  ~BoxTree();
-  BoxTree(const BoxTree&) = delete;
-  BoxTree& operator=(const BoxTree&) = delete;
 
   /// Calls visit(index) -> double for every box whose part 0 <= t <= t_max the ray may touch,
   /// nearer ones mostly first. What it returns is the new t_max; a negative one ends the walk.
   template <class Visit>
   void walk(const Ray& ray, double t_max, Visit&& visit) const {
-    walk_candidates(ray, t_max, &visit, [](void* context, std::uint32_t index) {
-      return (*static_cast<std::remove_reference_t<Visit>*>(context))(index);
-    });
+    BoxRay p;
+    if (!nodes_.empty() && space_.enter(ray, glm::length(ray.direction), p)) {
+      walk_from(p, t_max, visit);
+    }
+  }
+  /// The same for a ray whose direction is a unit vector.
+  template <class Visit>
+  void walk_unit(const Ray& ray, double t_max, Visit&& visit) const {
+    BoxRay p;
+    if (!nodes_.empty() && space_.enter(ray, p)) {
+      walk_from(p, t_max, visit);
+    }
   }
 
- private:
-  using VisitFunction = double (*)(void*, std::uint32_t);
-  void walk_candidates(const Ray& ray, double t_max, void* context, VisitFunction visit) const;
+  /// Calls visit(index) -> bool for every box that the shaft may touch, until that is false. False
+  /// when the shaft could not be followed.
+  template <class Visit>
+  bool each_in(const Shaft& shaft, Visit&& visit) const {
+    const auto b = space_.enter(shaft);
+    if (!b || nodes_.empty()) {
+      return b.has_value();
+    }
+    std::uint32_t stack[stack_size];
+    int size = 0;
+    stack[size++] = 0;
+    while (size > 0) {
+      const Node& node = nodes_[stack[--size]];
+      for (unsigned hits = node.boxes.touched(*b); hits != 0; hits &= hits - 1) {
+        const std::uint32_t child = node.child[std::countr_zero(hits)];
+        if ((child & leaf) == 0) {
+          stack[size++] = child;
+        } else if (!visit(child & ~leaf)) {
+          return true;
+        }
+      }
+    }
+    return true;
+  }
 
-  struct Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  const BoxSpace& space() const { return space_; }
+
+ private:
+  static constexpr std::uint32_t leaf = 1U << 31;
+  /// Embree's deepest tree; each level leaves at most seven siblings behind.
+  static constexpr int deepest = 40;
+  static constexpr int stack_size = 7 * deepest + 8;
+
+  struct Node {
+    BoxGroup boxes;
+    std::uint32_t child[BoxGroup::width];  ///< a node, or `leaf` + a box's index
+  };
+  struct Open {
+    float near;
+    std::uint32_t child;
+  };
+  struct Builder;
+
+  template <class Visit>
+  void walk_from(const BoxRay& ray, double t_max, Visit& visit) const {
+    Open stack[stack_size];
+    int size = 0;
+    float limit = ray.limit(t_max);
+    Open next{0.0F, 0};
+    for (;;) {
+      if ((next.child & leaf) == 0) {
+        size = open(nodes_[next.child], ray, limit, stack, size);
+      } else {
+        t_max = visit(next.child & ~leaf);
+        if (t_max < 0.0) {
+          return;
+        }
+        limit = ray.limit(t_max);
+      }
+      do {
+        if (size == 0) {
+          return;
+        }
+        next = stack[--size];
+      } while (next.near > limit);
+    }
+  }
+
+  /// Puts the children that the ray may touch on the stack, the nearest on top.
+  static int open(const Node& node, const BoxRay& ray, float limit, Open* stack, int size) {
+    alignas(32) float near[BoxGroup::width];
+    const int begin = size;
+    for (unsigned hits = node.boxes.touched(ray, limit, near); hits != 0; hits &= hits - 1) {
+      const int lane = std::countr_zero(hits);
+      int place = size++;
+      for (; place > begin && stack[place - 1].near < near[lane]; --place) {
+        stack[place] = stack[place - 1];
+      }
+      stack[place] = {near[lane], node.child[lane]};
+    }
+    return size;
+  }
+
+  BoxSpace space_;
+  std::vector<Node> nodes_;
 };
 
 }  // namespace rt

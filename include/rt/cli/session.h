@@ -1,0 +1,62 @@
+#pragma once
+#include <chrono>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rt/cli/command_line.h"
+#include "rt/cli/keeper.h"
+#include "rt/cli/report.h"
+#include "rt/render/rendering.h"
+#include "rt/scene/render_job.h"
+
+namespace rt::cli {
+
+class Stopwatch {
+ public:
+  /// Seconds since the last call, or since the beginning.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// Renders the pictures of one script.
+class Session {
+ public:
+  explicit Session(const CommandLine& line) : line_(line), keeper_(line) {}
+
+  /// Throws UserError; with ExitCode::interrupted its text says what was saved where.
+  void run();
+
+ private:
+  void run_script();
+  int thread_count() const;
+  void override_options(RenderOptions& options) const;
+  Crop crop_of(const RenderOptions& options) const;
+  void picture(RenderJob job);
+  void trace(Rendering& rendering, const RenderJob& job, const PictureReport& report);
+  [[noreturn]] void leave_off(Rendering& rendering, const RenderJob& job,
+                              const PictureReport& report);
+  Saved write(const PictureReport& report, Film film,
+              const std::map<std::string, std::string>& more) const;
+  std::string note_of(const Saved& checkpoint) const;
+  std::map<std::string, std::string> metadata(const RenderOptions& options) const;
+  void tell(const PictureReport& report) const;
+
+  const CommandLine& line_;
+  Keeper keeper_;
+  Stopwatch watch_;
+  std::vector<PictureReport> reports_;
+  std::size_t pictures_ = 0;            ///< that the script asked for
+  std::optional<FileError> misplaced_;  ///< a picture could not be written where it should be
+  std::string saved_;                   ///< what an interruption saved
+};
+
+}  // namespace rt::cli

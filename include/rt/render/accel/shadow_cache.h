@@ -1,0 +1,53 @@
+#pragma once
+/// What may stand between a small piece of space and a light.
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "rt/render/accel/candidates.h"
+#include "rt/render/plan.h"
+
+namespace rt {
+
+/// Neighbouring points see a light past the same few things. Space is divided into cells some
+/// pixels wide as seen from the eye; for the second point of a cell that asks, the instances that
+/// meet the shaft from the cell to the light are looked for, and kept for all others. Mostly there
+/// are none: then no shadow ray need be traced at all. Answers do not depend on what was asked
+/// before: shafts are conservative, so a ray finds the same blockers with the cache as without.
+///
+/// One a thread, of 64 KB.
+class ShadowCache {
+ public:
+  explicit ShadowCache(const RenderPlan& plan);
+
+  /// For shadow rays from `position` towards light `light`.
+  Candidates towards(std::size_t light, const Vec3& position);
+
+ private:
+  static constexpr std::size_t entries = 1024;
+  static constexpr std::size_t most = 12;
+  enum class State : std::uint8_t { unknown, many, known };
+
+  struct alignas(64) Entry {
+    std::uint64_t key = 0;
+    State state = State::unknown;
+    bool dims = false;
+    std::uint16_t count = 0;
+    std::array<std::uint32_t, most> instances;
+  };
+  struct Cell {
+    std::uint64_t key = 0;  ///< 0: not divided into cells here
+    Bounds bounds;
+  };
+
+  Cell cell_of(std::size_t light, const Vec3& position) const;
+  void fill(Entry& entry, const Bounds& cell, std::size_t light) const;
+  bool add(Entry& entry, std::uint32_t instance) const;
+
+  const RenderPlan& plan_;
+  int fineness_;  ///< cells are 2^-fineness of the power of two below their distance
+  std::vector<Bounds> lights_;
+  std::vector<Entry> table_;
+};
+
+}  // namespace rt
