@@ -23,6 +23,6 @@ show(gr.mesh("vase", "meshes/vase.obj"):rotate('y', 100):scale(0.9, 0.9, 0.9), 1
 root:add_child(gr.plane("floor"):set_material(gr.material({0.42, 0.42, 0.45}, {0, 0, 0}, 1)))
 
 gr.render{scene = root, file = "textures.png", size = {512, 512},
-  camera = {eye = {0, 6.2, 9}, look_at = {0, 0.5, -0.6}, fov = 47}, ambient = 0.35,
+  camera = {eye = {0, 6.2, 9}, look_at = {0, 0.5, -0.6}, fov = 52}, ambient = 0.35,
   lights = {gr.light{position = {-5, 9, 8}, colour = {0.72, 0.7, 0.68}}},
   background = {top = {0.4, 0.5, 0.65}, bottom = {0.8, 0.8, 0.82}}}

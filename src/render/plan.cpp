@@ -159,9 +159,9 @@ class Planner {
       to.motion = moving(from, model_box);
       plan_.moves = true;
     }
-    to.convex = convex(*from.shape);
     to.textures = textures(from.textures);
     plan_.footprints |= to.textures && plan_.options.texture_filter;
+    to.convex = convex(*from.shape);
     to.material = material(
         {from.material.get(), driven(to, TextureSlot::opacity), driven(to, TextureSlot::ks)},
         from.material);

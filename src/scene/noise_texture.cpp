@@ -17,6 +17,7 @@ struct Parts {
   int count = 1;
   Vec3 along{0.0};     ///< the whole length
   double width = 0.0;  ///< of a part
+  bool fades = false;  ///< some octave is lost to it
 };
 
 /// The axes are those of the ellipse { a cos t + b sin t }, from the eigenvalues of the matrix of
@@ -31,7 +32,7 @@ Parts parts_of(const Vec3& a, const Vec3& b, double highest_frequency) {
   }
   const double major = std::sqrt(major_squared);
   if (!std::isfinite(major)) {
-    return {1, Vec3(0.0), infinity};
+    return {1, Vec3(0.0), infinity, true};
   }
   if (band_limit(highest_frequency, major) == 1.0) {
     return {1, Vec3(0.0), major};  // nothing would fade
@@ -40,7 +41,7 @@ Parts parts_of(const Vec3& a, const Vec3& b, double highest_frequency) {
   const double ratio = std::ceil(std::min(major / std::max(minor, 1e-300), 1.0 * noise_probes));
   const double turn = 0.5 * std::atan2(2.0 * f, e - g);
   return {static_cast<int>(ratio), std::cos(turn) * a + std::sin(turn) * b,
-          std::max(minor, major / ratio)};
+          std::max(minor, major / ratio), true};
 }
 
 double highest_frequency(const NoiseTexture& texture) {
@@ -119,8 +120,8 @@ double ramp_slope(const std::vector<RampStop>& ramp, double t) {
 }
 
 /// Half the width of the box that has the variance of what was lost.
-double half_spread(const NoiseTexture& texture, double width) {
-  return std::sqrt(3.0 * lost_variance(texture, width));
+double half_spread(const NoiseTexture& texture, const Parts& parts) {
+  return parts.fades ? std::sqrt(3.0 * lost_variance(texture, parts.width)) : 0.0;
 }
 
 /// Calls visit(point) for the middle of every part.
@@ -135,7 +136,7 @@ void each_part(const Parts& parts, const Vec3& p, Visit visit) {
 
 Rgb colour(const NoiseTexture& texture, const Vec3& p_model, const Vec3& dp_dx, const Vec3& dp_dy) {
   const Parts parts = parts_of(dp_dx, dp_dy, highest_frequency(texture));
-  const double half = half_spread(texture, parts.width);
+  const double half = half_spread(texture, parts);
   Rgb sum(0.0);
   each_part(parts, p_model, [&](const Vec3& p) {
     const double v = pattern_value(*texture.noise, texture.kind, texture.octaves, p, parts.width);
@@ -147,7 +148,7 @@ Rgb colour(const NoiseTexture& texture, const Vec3& p_model, const Vec3& dp_dx, 
 HeightSample height(const NoiseTexture& texture, const Vec3& p_model, const Vec3& dp_dx,
                     const Vec3& dp_dy) {
   const Parts parts = parts_of(dp_dx, dp_dy, highest_frequency(texture));
-  const double half = half_spread(texture, parts.width);
+  const double half = half_spread(texture, parts);
   HeightSample sum{0.0, Vec3(0.0)};
   each_part(parts, p_model, [&](const Vec3& p) {
     const PatternSample s = pattern(*texture.noise, texture.kind, texture.octaves, p, parts.width);
