@@ -67,12 +67,12 @@ struct RingAlongLine {
     const double square = p.x * p.x + p.z * p.z;
     const double rho = std::sqrt(square);
     const double inverse_square = 1 / square;
-    const double ratio = R * rho * inverse_square;
+    const double ratio = rho * (R * inverse_square);
     const double w = rho - R;
     const double climb = k * s + b;
-    const double bend = D * ratio * inverse_square;
+    const double bend = ratio * (D * inverse_square);
     return {w * w + (p.y - r) * (p.y + r), 2 * (s - climb * ratio), 2 - 2 * bend,
-            bend * climb * inverse_square, square};
+            bend * (climb * inverse_square), square};
   }
 };
 
@@ -130,8 +130,9 @@ inline Verdict decide_double_root(const TorusLine& line, double begin, double s)
   s += step_to_root(jet).length;
   for (int i = 0; i < most_steps; ++i) {
     jet = ring.at(s);
-    // rho in [R + r] / 4 .. 1.42 (R + r): where the bounds on errors hold, and the torus is.
-    if (!(jet.curvature > 0 && 16 * jet.square >= size2 && jet.square <= 2 * size2)) {
+    // rho in (R + r) / 4 .. 1.42 (R + r): where the bounds on errors hold, and the torus is.
+    const bool in_reach = (16 * jet.square >= size2) & (jet.square <= 2 * size2);
+    if (!(in_reach & (jet.curvature > 0))) [[unlikely]] {
       return {false, s};
     }
     const double doubt = 4 * ring.noise() * jet.curvature;
@@ -163,7 +164,7 @@ inline Verdict crossing_from_outside(const TorusLine& line, const Chord& chord) 
   const double axis = -ring.b / ring.k;  // used only with two dips: k > 0
   const RingJet first = ring.at(chord.t_in);
   const bool before_axis = one_dip | ((chord.t_in < axis) & (first.curvature > 0));
-  if (before_axis & (first.slope < 0)) {
+  if (before_axis & (first.slope < 0)) [[likely]] {
     const Verdict near = search_dip(ring, line, chord.t_in, first, chord.t_in);
     if (!near.certain || near.s < infinity) {
       return {near.certain && near.s > chord.t_in && (one_dip || near.s < axis), near.s};
