@@ -165,7 +165,7 @@ function gr.texture(file, scale) end
 ---@param ambient gr.Colour
 ---@param lights gr.Light[]
 ---@param options? table
----@overload fun(fields: { scene: gr.Node, file: string, size: number[], camera: { eye: number[], view?: number[], look_at?: number[], up?: number[], fov?: number }, ambient?: gr.Colour, lights?: gr.Light[], background?: gr.Colour|{ top: gr.Colour, bottom: gr.Colour }, samples?: number, max_error?: number, max_samples?: number, time_limit?: number, filter?: string, aa?: string, seed?: number, max_depth?: number, encoding?: string, accel?: string, reflection?: boolean, refraction?: boolean, soft_shadows?: boolean, glossy?: boolean, antialiasing?: boolean, adaptive?: boolean, motion_blur?: boolean, acceleration?: boolean })
+---@overload fun(fields: { scene: gr.Node, file: string, size: number[], camera: { eye: number[], view?: number[], look_at?: number[], up?: number[], fov?: number }, ambient?: gr.Colour, lights?: gr.Light[], background?: gr.Colour|{ top: gr.Colour, bottom: gr.Colour }, samples?: number, max_error?: number, max_samples?: number, time_limit?: number, filter?: string, aa?: string, seed?: number, max_depth?: number, encoding?: string, accel?: string, reflection?: boolean, refraction?: boolean, soft_shadows?: boolean, glossy?: boolean, antialiasing?: boolean, adaptive?: boolean, motion_blur?: boolean, textures?: boolean, noise?: boolean, texture_filter?: boolean, acceleration?: boolean })
 function gr.render(scene, file, width, height, eye, view, up, fov, ambient, lights, options) end
 
 ---Puts a node below this one; a node may have several parents.
@@ -182,12 +182,21 @@ function Node:add_child(child) end
 ---@return gr.Node
 function Node:set_material(material) end
 
----Lets a texture stand for the material's kd.
+---Lets a texture, or the picture of a file, stand for the material's "kd" (unless a slot is given), "ks" or "opacity", or be its "bump" or "normal" map of that strength (1).
 ---
 ---Example: `node:set_texture(gr.checker({1, 1, 1}, {0, 0, 0}, 1))`
----@param texture gr.Texture
+---@param texture gr.Texture|string
+---@param slot? string
+---@param strength? number
 ---@return gr.Node
-function Node:set_texture(texture) end
+function Node:set_texture(texture, slot, strength) end
+
+---Paints the node with noise of kind "fbm", "turbulence", "marble" or "wood", from one colour to another or along a ramp, on "kd", "ks", "opacity" or "bump" (with add = true on top of the bumps there are).
+---
+---Example: `node:perlin_noise{octaves = {{scale = 4, weight = 1}}, low = 0.1, high = 0.9}`
+---@param fields { octaves?: { scale: number, weight: number }[], low?: gr.Colour, high?: gr.Colour, ramp?: number[][], seed?: number, kind?: string, on?: string, add?: boolean, strength?: number }
+---@return gr.Node
+function Node:perlin_noise(fields) end
 
 ---Moves the node.
 ---
@@ -219,9 +228,10 @@ function Node:scale(x, y, z) end
 ---Moves the node while the shutter is open, t from 0 to 1, about its parent's origin after its transforms. A pose is a table of translate, rotate = {axis, degrees}, scale, about.
 ---
 ---Example: `node:motion{to = {translate = {1, 0, 0}, rotate = {"y", 90}}}`
+---@param fields {  }
 ---@return gr.Node
 ---@overload fun(self: gr.Node, ): gr.Node
-function Node:motion() end
+function Node:motion(fields) end
 
 ---Runs name.lua of the script's folder, once, and returns its result.
 ---

@@ -1,4 +1,5 @@
--- Writes vase.obj on standard output: a turned vase, quads with vertex normals.
+-- Writes vase.obj on standard output: a turned vase, quads with vertex normals and texture
+-- coordinates (u around it, from 0 to 1 at the seam; v along its outline).
 -- Run with an ordinary Lua: lua5.3 make_vase.lua > vase.obj
 local profile = {{0.0, 0.0}, {0.55, 0.0}, {0.62, 0.05}}
 for i = 0, 24 do
@@ -30,6 +31,9 @@ for i, p in ipairs(profile) do
     print(string.format("v %.5f %.5f %.5f", p[1] * c, p[2], p[1] * s))
     print(string.format("vn %.5f %.5f %.5f", dy / length * c, -dr / length, dy / length * s))
   end
+  for j = 0, around do
+    print(string.format("vt %.5f %.5f", j / around, (i - 1) / (#profile - 1)))
+  end
   rows[i] = count
   count = count + around
 end
@@ -37,12 +41,15 @@ for i = 1, #profile - 1 do
   for j = 0, around - 1 do
     local k = (j + 1) % around
     local a, b, c, d = rows[i] + j + 1, rows[i + 1] + j + 1, rows[i + 1] + k + 1, rows[i] + k + 1
+    local ta = (i - 1) * (around + 1) + j + 1
+    local tb = ta + around + 1
+    local function corner(v, t) return string.format(" %d/%d/%d", v, t, v) end
     if profile[i][1] == 0 then
-      print(string.format("f %d//%d %d//%d %d//%d", a, a, b, b, c, c))
+      print("f" .. corner(a, ta) .. corner(b, tb) .. corner(c, tb + 1))
     elseif profile[i + 1][1] == 0 then
-      print(string.format("f %d//%d %d//%d %d//%d", a, a, b, b, d, d))
+      print("f" .. corner(a, ta) .. corner(b, tb) .. corner(d, ta + 1))
     else
-      print(string.format("f %d//%d %d//%d %d//%d %d//%d", a, a, b, b, c, c, d, d))
+      print("f" .. corner(a, ta) .. corner(b, tb) .. corner(c, tb + 1) .. corner(d, ta + 1))
     end
   end
 end

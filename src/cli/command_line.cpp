@@ -139,6 +139,8 @@ void declare(CLI::App& app, CommandLine& line, Raw& raw) {
   app.add_option("--report", line.report,
                  "write a page with the picture, maps of its error and samples, times and plan")
       ->type_name("FILE.html");
+  app.add_flag("--explain", line.explain,
+               "say what the scene needs and what was chosen for it; no picture is made");
   app.add_flag("--resume", line.resume,
                "go on where an interrupted run stopped: from the checkpoint beside its picture");
   app.add_option("--checkpoint", line.checkpoint_every,

@@ -59,29 +59,6 @@ std::string maps(const RenderOptions& options, const RenderResult& result) {
                                  fewest, greatest));
 }
 
-std::string search_of(const RenderPlan& plan) {
-  const std::size_t boxes = plan.bounded.size();
-  return plan.tree   ? fmt::format("a hierarchy over {} boxes", boxes)
-         : plan.list ? fmt::format("a list of {} boxes, eight at a time", boxes)
-         : plan.grid ? fmt::format("a uniform grid over {} boxes", boxes)
-                     : fmt::format("all {} shapes one by one", boxes);
-}
-
-std::string plan_table(const RenderPlan& plan) {
-  const auto yes = [](bool b) { return b ? "yes" : "no: costs nothing"; };
-  const bool transmits = std::ranges::any_of(plan.materials, &PlannedMaterial::transmissive);
-  return html_table({{"hits are found by", search_of(plan)},
-                     {"unbounded shapes", std::to_string(plan.unbounded.size())},
-                     {"meshes", std::to_string(plan.meshes.size())},
-                     {"lights", std::to_string(plan.lights.size())},
-                     {"extended lights or gloss: paths take random decisions", yes(plan.random)},
-                     {"transmission", yes(transmits)},
-                     {"shadows that are dimmed, not cut", yes(plan.dims)},
-                     {"absorption", yes(plan.absorbs)},
-                     {"movement", yes(plan.moves)},
-                     {"things narrower than a pixel", yes(plan.thin != nullptr)}});
-}
-
 std::string options_table(const RenderOptions& options) {
   std::vector<std::pair<std::string, std::string>> rows;
   for (const OptionSpec& spec : option_specs()) {
@@ -143,10 +120,10 @@ HtmlReport::HtmlReport(std::filesystem::path file) : file_(std::move(file)) {
   }
 }
 
-void HtmlReport::picture(const RenderPlan& plan, const RenderResult& result) {
+void HtmlReport::picture(std::string explained, const RenderResult& result) {
   if (wanted()) {
     result_ = result;
-    plan_ = plan_table(plan);
+    explained_ = std::move(explained);
   }
 }
 
@@ -158,11 +135,11 @@ void HtmlReport::finish(const PictureReport& report) {
   const io::Image image{film.width, film.height, std::move(film.pixels)};
   sections_ += fmt::format(
       "<section>\n<h2>{}</h2>\n<p>{}</p>\n<div class=\"pictures\">\n{}{}</div>\n"
-      "<h3>Time</h3>\n{}<h3>Rays</h3>\n{}<h3>What the scene needs</h3>\n{}"
+      "<h3>Time</h3>\n{}<h3>Rays</h3>\n{}<h3>The plan</h3>\n<pre>{}</pre>\n"
       "<h3>Options in force</h3>\n{}</section>\n",
       html_escaped(report.picture), html_escaped(summary(report)),
       picture_tag(image, report.options.encoding, "The picture"), maps(report.options, *result_),
-      phases_table(report.phases), rays_table(report.statistics), plan_,
+      phases_table(report.phases), rays_table(report.statistics), html_escaped(explained_),
       options_table(report.options));
 }
 

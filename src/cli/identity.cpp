@@ -57,7 +57,11 @@ void add(ByteWriter& out, const Instance& instance) {
     out.value(d);
   }
   out.value(std::uint64_t{instance.shape->index()});
-  out.value(instance.texture != nullptr);
+  for (std::size_t i = 0; i < texture_slots; ++i) {
+    const TextureSet::Entry* entry = instance.textures ? &instance.textures->entries[i] : nullptr;
+    out.value(entry != nullptr && entry->texture != nullptr);
+    out.value(entry != nullptr ? entry->strength : 0.0);
+  }
   out.value(instance.motion != nullptr);
 }
 

@@ -9,6 +9,7 @@
 #include "rt/cli/say.h"
 #include "rt/cli/session.h"
 #include "rt/io/image.h"
+#include "rt/render/explain.h"
 #include "rt/render/plan.h"
 #include "rt/render/scene_warnings.h"
 
@@ -20,6 +21,11 @@ void Session::picture(RenderJob job) {
   report.phases.script = watch_.lap();
   override_options(job.options);
   report.crop = crop_of(job.options);
+  if (line_.explain) {
+    ++pictures_;
+    fmt::print("{}", explain(make_plan(job), thread_count()));
+    return;
+  }
   const auto path = output_path(job.output, line_.output, pictures_, line_.script.trust);
   io::check_output(path);
   report.picture = path.string();
@@ -50,7 +56,10 @@ void Session::picture(RenderJob job) {
   report.statistics = result.statistics;
   const std::vector<std::string> warnings = scene_warnings(job, plan, result.film);
   report.reached = result.reached;
-  page_.picture(plan, result);
+  if (page_.wanted()) {
+    page_.picture(explain(plan, thread_count()), result);
+    watch_.lap();  // no phase of the rendering
+  }
   const Saved saved = write(report, std::move(result.film), {});
   report.phases.write = watch_.lap();
   std::ranges::for_each(warnings, warn);

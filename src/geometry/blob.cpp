@@ -246,6 +246,14 @@ SurfaceCoordinates surface_coordinates(const Blob&, const SurfacePoint& point,
           std::numbers::pi * along};
 }
 
+Vec3 normal_change(const Blob&, const SurfacePoint& point, std::uint32_t feature,
+                   const Vec3& step) {
+  if (feature == head_feature) {
+    return step;
+  }
+  return feature == base_feature ? Vec3(0.0) : turned_about_axis(point, step);
+}
+
 Bounds bounds(const Blob&) {
   // base_radius is rounded: outward by its two roundings.
   const double reach = base_radius * (1 + gamma(3));

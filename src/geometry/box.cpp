@@ -133,6 +133,10 @@ SurfaceCoordinates surface_coordinates(const Box& shape, const SurfacePoint& poi
           axis_vector(v_axis, v_sign * extent[v_axis])};
 }
 
+Vec3 normal_change(const Box&, const SurfacePoint&, std::uint32_t, const Vec3&) {
+  return Vec3(0.0);
+}
+
 Bounds bounds(const Box& shape) { return {shape.lo, shape.hi}; }
 
 }  // namespace rt

@@ -163,6 +163,11 @@ SurfaceCoordinates surface_coordinates(const PointedCone&, const SurfacePoint& p
           Vec3(-m.cosine, 1, -m.sine)};
 }
 
+Vec3 normal_change(const PointedCone&, const SurfacePoint& point, std::uint32_t feature,
+                   const Vec3& step) {
+  return feature == disc_feature ? Vec3(0.0) : turned_about_axis(point, step);
+}
+
 Bounds bounds(const PointedCone&) { return {Vec3(-1, 0, -1), Vec3(1, 1, 1)}; }
 
 }  // namespace rt

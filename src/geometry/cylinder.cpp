@@ -135,6 +135,10 @@ SurfaceCoordinates surface_coordinates(const Cylinder&, const SurfacePoint& poin
   return {{(1 + p.x) / 2, (1 + v_sign * p.z) / 2}, Vec3(2, 0, 0), Vec3(0, 0, 2 * v_sign)};
 }
 
+Vec3 normal_change(const Cylinder&, const SurfacePoint&, std::uint32_t feature, const Vec3& step) {
+  return feature == side_feature ? Vec3(step.x, 0, step.z) : Vec3(0.0);
+}
+
 Bounds bounds(const Cylinder&) { return {Vec3(-1, 0, -1), Vec3(1, 1, 1)}; }
 
 }  // namespace rt

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "rt/math/vec.h"
+#include "rt/geometry/hit.h"
 
 namespace rt {
 
@@ -29,6 +29,18 @@ inline Meridian meridian(const Vec3& p) {
     return {radius, p.x / radius, p.z / radius};
   }
   return {0, 1, 0};
+}
+
+/// How the normal of a cone about the y axis changes over a step: it turns with the longitude. 0 at
+/// the apex, which has no normal.
+inline Vec3 turned_about_axis(const SurfacePoint& point, const Vec3& step) {
+  const Meridian m = meridian(point.position);
+  if (!(m.radius > 0)) {
+    return Vec3(0.0);
+  }
+  const Vec3 along(-m.sine, 0, m.cosine);
+  const double level = m.cosine * point.normal.x + m.sine * point.normal.z;
+  return level * glm::dot(step, along) / m.radius * along;
 }
 
 }  // namespace rt

@@ -187,6 +187,38 @@ SurfaceCoordinates surface_coordinates(const Mesh& shape, const SurfacePoint& po
   return {uv, (tc.y * ab - tb.y * ac) / determinant, (tb.x * ac - tc.x * ab) / determinant};
 }
 
+Vec3 normal_change(const Mesh& shape, const SurfacePoint& point, std::uint32_t feature,
+                   const Vec3& step) {
+  const MeshData& mesh = *shape.data;
+  if (mesh.normals.empty() || mesh.triangle_normals.empty()) {
+    return Vec3(0.0);
+  }
+  const Corners& corners = mesh.triangles[feature];
+  const Vec3& a = mesh.positions[corners[0]];
+  const Vec3 ab = mesh.positions[corners[1]] - a;
+  const Vec3 ac = mesh.positions[corners[2]] - a;
+  const Vec3 cross = exact_cross(ab, ac);
+  const double square = glm::dot(cross, cross);
+  if (!(square > 0)) {
+    return Vec3(0.0);
+  }
+  // The weights' change, b along ab and c along ac, and that of the weighted mean of normals.
+  const double b = glm::dot(glm::cross(step, ac), cross) / square;
+  const double c = glm::dot(glm::cross(ab, step), cross) / square;
+  const Corners& n = mesh.triangle_normals[feature];
+  const Vec3& na = mesh.normals[n[0]];
+  const Weights w = weights_at(a, a + ab, a + ac, point.position);
+  const Vec3 mean = w.a * na + w.b * mesh.normals[n[1]] + w.c * mesh.normals[n[2]];
+  const double length = glm::length(mean);
+  if (!(length > 0)) {
+    return Vec3(0.0);
+  }
+  const Vec3 change = (b * (mesh.normals[n[1]] - na) + c * (mesh.normals[n[2]] - na)) / length;
+  const Vec3 unit = mean / length;
+  const Vec3 across = change - glm::dot(change, unit) * unit;
+  return glm::dot(mean, point.normal) < 0 ? -across : across;
+}
+
 Bounds bounds(const Mesh& shape) {
   Bounds out;
   const auto count = static_cast<std::uint32_t>(shape.data->triangles.size());

@@ -43,6 +43,10 @@ SurfaceCoordinates surface_coordinates(const Plane&, const SurfacePoint& point, 
   return {{point.position.x, -point.position.z}, Vec3(1, 0, 0), Vec3(0, 0, -1)};
 }
 
+Vec3 normal_change(const Plane&, const SurfacePoint&, std::uint32_t, const Vec3&) {
+  return Vec3(0.0);
+}
+
 Bounds bounds(const Plane&) { return {Vec3(-infinity), Vec3(infinity)}; }
 
 OptionalHit intersect(const Square& shape, const Ray& ray, double t_max, const RayStart& start) {
@@ -65,6 +69,10 @@ SurfaceCoordinates surface_coordinates(const Square& shape, const SurfacePoint& 
   return {{0.5 + point.position.x / shape.edge, 0.5 - point.position.z / shape.edge},
           Vec3(shape.edge, 0, 0),
           Vec3(0, 0, -shape.edge)};
+}
+
+Vec3 normal_change(const Square&, const SurfacePoint&, std::uint32_t, const Vec3&) {
+  return Vec3(0.0);
 }
 
 Bounds bounds(const Square& shape) {

@@ -99,6 +99,10 @@ SurfaceCoordinates surface_coordinates(const Sphere& shape, const SurfacePoint& 
           std::numbers::pi * r * Vec3(-n.y * m.cosine, m.radius, -n.y * m.sine)};
 }
 
+Vec3 normal_change(const Sphere& shape, const SurfacePoint&, std::uint32_t, const Vec3& step) {
+  return step / shape.radius;
+}
+
 Bounds bounds(const Sphere& shape) {
   // One rounding a side, of the sum's own size.
   const Vec3 reach(shape.radius + gamma(2) * (shape.radius + max_abs(shape.centre)));

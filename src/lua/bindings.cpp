@@ -87,9 +87,20 @@ constexpr std::array table{
     Binding{"node:set_material", guarded<node_set_material>, 1, "(material: material): node",
             "Gives the node, and those below it that have none, a material.",
             "node:set_material(material)"},
-    Binding{"node:set_texture", guarded<node_set_texture>, 1, "(texture: texture): node",
-            "Lets a texture stand for the material's kd.",
+    Binding{"node:set_texture", guarded<node_set_texture>, 3,
+            "(texture: texture or string, slot?: string, strength?: number): node",
+            "Lets a texture, or the picture of a file, stand for the material's \"kd\" (unless a "
+            "slot is given), \"ks\" or "
+            "\"opacity\", or be its \"bump\" or \"normal\" map of that strength (1).",
             "node:set_texture(gr.checker({1, 1, 1}, {0, 0, 0}, 1))"},
+    Binding{"node:perlin_noise", guarded<node_perlin_noise>, 1,
+            "{octaves?: {{scale: number, weight: number}, ...}, low?: colour, high?: colour, "
+            "ramp?: {{number, colour}, ...}, seed?: number, kind?: string, on?: string, "
+            "add?: boolean, strength?: number}: node",
+            "Paints the node with noise of kind \"fbm\", \"turbulence\", \"marble\" or \"wood\", "
+            "from one colour to another or along a ramp, on \"kd\", \"ks\", \"opacity\" or "
+            "\"bump\" (with add = true on top of the bumps there are).",
+            "node:perlin_noise{octaves = {{scale = 4, weight = 1}}, low = 0.1, high = 0.9}"},
     Binding{"node:translate", guarded<node_translate>, 3, "(x: number, y: number, z: number): node",
             "Moves the node.", "node:translate(1, 0, 0)"},
     Binding{"node:rotate", guarded<node_rotate>, 2,

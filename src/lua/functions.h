@@ -22,10 +22,13 @@ int make_nh_box(Call& call);
 // methods.cpp
 int node_add_child(Call& call);
 int node_set_material(Call& call);
-int node_set_texture(Call& call);
 int node_translate(Call& call);
 int node_rotate(Call& call);
 int node_scale(Call& call);
+
+// surfaces.cpp
+int node_set_texture(Call& call);
+int node_perlin_noise(Call& call);
 
 // motion.cpp
 int node_motion(Call& call);

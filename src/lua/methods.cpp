@@ -43,11 +43,6 @@ int node_set_material(Call& call) {
   return call.return_self();
 }
 
-int node_set_texture(Call& call) {
-  call.self()->texture = call.argument(1).object<const Texture>();
-  return call.return_self();
-}
-
 int node_translate(Call& call) {
   rt::translate(*call.self(), vector_argument(call), call.run().settings.order);
   return call.return_self();

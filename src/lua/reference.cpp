@@ -10,13 +10,17 @@ namespace rt::lua {
 namespace {
 
 /// "name: string, r?: number", with types of LuaCATS.
-std::string typed_list(const Form& form) {
+std::string typed_fields(const Form& form) {
   std::string text;
   for (const Parameter& p : form.parameters) {
     text += fmt::format("{}{}{}: {}", text.empty() ? "" : ", ", p.name, p.optional ? "?" : "",
                         luacats_type(p.type));
   }
-  return form.is_table ? fmt::format("fields: {{ {} }}", text) : text;
+  return text;
+}
+
+std::string typed_list(const Form& form) {
+  return form.is_table ? fmt::format("fields: {{ {} }}", typed_fields(form)) : typed_fields(form);
 }
 
 std::string annotation(const Binding& binding) {
@@ -25,7 +29,11 @@ std::string annotation(const Binding& binding) {
   std::string text = fmt::format("\n---{}\n---\n---Example: `{}`\n", binding.help, binding.example);
   std::string names;
   const Form& first = signature.forms.front();
-  for (const Parameter& p : first.parameters) {
+  if (first.is_table) {
+    text += fmt::format("---@param fields {{ {} }}\n", typed_fields(first));
+    names = "fields";
+  }
+  for (const Parameter& p : first.is_table ? std::vector<Parameter>{} : first.parameters) {
     text += fmt::format("---@param {}{} {}\n", p.name, p.optional ? "?" : "", luacats_type(p.type));
     names += (names.empty() ? "" : ", ") + p.name;
   }

@@ -10,6 +10,7 @@
 #include "files.h"
 #include "functions.h"
 #include "handle.h"
+#include "textures.h"
 
 namespace rt::lua {
 
@@ -88,6 +89,12 @@ std::shared_ptr<const TextureImage> picture(const Call& call, const std::string&
 }
 
 }  // namespace
+
+std::shared_ptr<const Texture> picture_texture(const Call& call, const std::string& file) {
+  ImageTexture texture;
+  texture.image = picture(call, file);
+  return make_charged(call.L, Texture(std::move(texture)));
+}
 
 int make_texture(Call& call) {
   const std::span<const Field<Draft>> fields = texture_fields;

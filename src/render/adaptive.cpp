@@ -9,9 +9,6 @@
 namespace rt {
 namespace {
 
-/// First samples of every pixel. With the neighbours' 36 samples tell an even region from an edge.
-constexpr std::uint32_t pilot_samples = 4;
-
 /// The claimed error is so many standard deviations: chosen such that 95% of true errors lie below
 /// 1.5 times the claim (bench/results/calibration.md).
 constexpr double claim = 1.45;

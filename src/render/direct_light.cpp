@@ -7,6 +7,7 @@
 #include "rt/math/warp.h"
 #include "rt/render/medium.h"
 #include "rt/render/query.h"
+#include "rt/render/surface_texture.h"
 
 namespace rt {
 namespace {
@@ -93,7 +94,10 @@ Rgb dimmed(const RenderPlan& plan, const ShadingPoint& from, const Vec3& way, do
     ++counts.shadow;
     at = shading_point(plan, ray, *hit);
     if (!hides(plan, media_about(plan, at, way), hit->instance)) {
-      share *= 1.0 - plan.materials[plan.instances[hit->instance].material].opacity;
+      // Towards a point of light the footprint narrows evenly.
+      const double width = from.footprint * std::max(0.0, rest - hit->t) / reach;
+      const PlannedMaterial& material = plan.materials[plan.instances[hit->instance].material];
+      share *= 1.0 - opacity_at(plan, ray, *hit, material, width);
     }
     rest -= hit->t;
   }

@@ -1,6 +1,7 @@
 #include "rt/render/plan.h"
 
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <unordered_map>
 
@@ -8,6 +9,7 @@
 #include "rt/render/accel/box_list.h"
 #include "rt/render/accel/box_tree.h"
 #include "rt/render/accel/grid.h"
+#include "rt/render/surface_texture.h"
 #include "rt/render/thin.h"
 
 namespace rt {
@@ -157,10 +159,13 @@ class Planner {
       to.motion = moving(from, model_box);
       plan_.moves = true;
     }
-    to.texture = from.texture;
+    to.textures = textures(from.textures);
+    plan_.footprints |= to.textures && plan_.options.texture_filter;
     to.convex = convex(*from.shape);
-    to.material = material(from.material);
-    to.shadow = shadow_of(plan_.materials[to.material]);
+    to.material = material(
+        {from.material.get(), driven(to, TextureSlot::opacity), driven(to, TextureSlot::ks)},
+        from.material);
+    to.shadow = shadow_of(plan_.materials[to.material], driven(to, TextureSlot::opacity));
     plan_.dims |= to.shadow == Shadow::dims;
     if (const auto* shape = std::get_if<Mesh>(from.shape.get())) {
       to.mesh = mesh(*shape);
@@ -203,28 +208,52 @@ class Planner {
     return std::make_unique<const PlannedMotion>(planned_motion(path, model_box, pixels * pixel));
   }
 
-  std::uint32_t material(const std::shared_ptr<const Material>& from) {
-    const auto [entry, added] =
-        materials_.try_emplace(from.get(), static_cast<std::uint32_t>(plan_.materials.size()));
+  static bool driven(const PlannedInstance& instance, TextureSlot slot) {
+    return instance.textures && (*instance.textures)[slot].texture;
+  }
+
+  /// Those in force, found once for each set.
+  std::shared_ptr<const TextureSet> textures(const std::shared_ptr<const TextureSet>& from) {
+    if (!from) {
+      return nullptr;
+    }
+    const auto [entry, added] = textures_.try_emplace(from.get());
     if (added) {
-      plan_.materials.push_back(planned(*from));
+      entry->second = in_force(from, plan_.options);
+    }
+    return entry->second;
+  }
+
+  /// A material, and what of it is left to textures: that decides what it needs.
+  struct MaterialUse {
+    const Material* material;
+    bool textured_opacity, textured_ks;
+    auto operator<=>(const MaterialUse&) const = default;
+  };
+
+  std::uint32_t material(const MaterialUse& use, const std::shared_ptr<const Material>& from) {
+    const auto [entry, added] =
+        materials_.try_emplace(use, static_cast<std::uint32_t>(plan_.materials.size()));
+    if (added) {
+      plan_.materials.push_back(planned(use));
       kept_.push_back(from);  // so that its address stays its own
     }
     return entry->second;
   }
 
-  PlannedMaterial planned(const Material& from) {
+  PlannedMaterial planned(const MaterialUse& use) {
     const RenderOptions& options = plan_.options;
-    PlannedMaterial to{from};
+    PlannedMaterial to{*use.material};
     if (!options.refraction) {
       to.opacity = 1.0;
     }
     if (!options.glossy) {
       to.glossiness = 0.0;
     }
-    to.transmissive = to.opacity < 1.0;
+    to.plain = {to.kd, to.ks, to.opacity};
+    to.transmissive = to.opacity < 1.0 || use.textured_opacity;
     const double brightest = max_abs(to.ks) * brightest_light_;
-    if (to.shininess > 0.0 && brightest > 0.0) {
+    if (to.shininess > 0.0 && brightest > 0.0 && !use.textured_ks) {
       to.least_r_dot_v =
           std::pow(negligible_light(options, job_.lights.size()) / brightest, 1.0 / to.shininess);
     }
@@ -246,11 +275,13 @@ class Planner {
     }
   }
 
-  static Shadow shadow_of(const PlannedMaterial& material) {
+  static Shadow shadow_of(const PlannedMaterial& material, bool textured_opacity) {
     if (!material.transmissive) {
       return Shadow::blocks;
     }
-    return material.opacity == 0.0 && material.absorption == Rgb(0.0) ? Shadow::none : Shadow::dims;
+    return !textured_opacity && material.opacity == 0.0 && material.absorption == Rgb(0.0)
+               ? Shadow::none
+               : Shadow::dims;
   }
 
   const PlannedMesh* mesh(const Mesh& from) {
@@ -281,7 +312,8 @@ class Planner {
   std::vector<Bounds> all_boxes_;  ///< of all instances
   std::vector<std::shared_ptr<const Material>> kept_;
   double brightest_light_ = 0.0;
-  std::unordered_map<const Material*, std::uint32_t> materials_;
+  std::map<MaterialUse, std::uint32_t> materials_;
+  std::unordered_map<const TextureSet*, std::shared_ptr<const TextureSet>> textures_;
   std::unordered_map<const MeshData*, const PlannedMesh*> meshes_;
 };
 

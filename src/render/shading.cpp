@@ -6,9 +6,8 @@
 #include "rt/render/query.h"
 
 namespace rt {
-namespace {
 
-/// The model's normal in render space: normals map by the inverse transpose.
+// Normals map by the inverse transpose.
 Vec3 render_normal(const Placement& instance, const Vec3& n) {
   if (instance.moved_only) {
     return n;
@@ -19,7 +18,13 @@ Vec3 render_normal(const Placement& instance, const Vec3& n) {
   return glm::normalize(v / max_abs(v));
 }
 
-}  // namespace
+SurfacePoint model_point(const PlannedInstance& instance, const Placement& placement,
+                         const TraceRay& ray, const SceneHit& hit) {
+  const Ray in_model = model_ray(placement, ray);
+  const ShapeHit model_hit{hit.t, hit.feature};
+  return std::visit([&](const auto& shape) { return surface_point(shape, in_model, model_hit); },
+                    *instance.shape);
+}
 
 RayCounts& RayCounts::operator+=(const RayCounts& other) {
   camera += other.camera;

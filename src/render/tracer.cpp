@@ -26,16 +26,6 @@ constexpr double accepted_deviation = 0.05;
 
 double largest(const Rgb& c) { return std::max({c.r, c.g, c.b}); }
 
-Rgb base_colour(const RenderPlan& plan, const ShadingPoint& point, const Material& material) {
-  const PlannedInstance& instance = plan.instances[point.instance];
-  if (!instance.texture) {
-    return material.kd;
-  }
-  const Vec3 p_model = PlacementAt(instance, point.time)->model_from_render.point(point.position);
-  return std::visit([&](const auto& texture) { return colour(texture, p_model); },
-                    *instance.texture);
-}
-
 /// The mirror direction about the shading normal; about the geometric one where the former would
 /// point into the surface.
 Vec3 mirrored(const ShadingPoint& point, const Vec3& direction) {
@@ -51,6 +41,7 @@ struct Tracer::Scatter {
   const ShadingPoint& point;
   const PlannedMaterial& material;
   const Vec3& direction;
+  const Reflectances& surface;
   Media media;                ///< of glass
   double n1 = 1.0, n2 = 1.0;  ///< indices of the media before and behind the surface
   bool divided = false;       ///< both branches are followed
@@ -58,7 +49,11 @@ struct Tracer::Scatter {
 };
 
 Tracer::Tracer(const RenderPlan& plan)
-    : plan_(plan), negligible_(plan.options.max_error / negligible_branches), shadow_cache_(plan) {}
+    : plan_(plan), negligible_(plan.options.max_error / negligible_branches), shadow_cache_(plan) {
+  if (plan.footprints) {
+    trail_.emplace(plan);
+  }
+}
 
 Rgb Tracer::radiance(const TraceRay& camera_ray, double y, const Sampler& sampler,
                      RayCounts& counts, const Candidates& sight) {
@@ -69,6 +64,9 @@ Rgb Tracer::radiance(const TraceRay& camera_ray, double y, const Sampler& sample
   counts_ = &counts;
   ++counts.camera;
   // From here on all directions have unit length.
+  if (trail_) {
+    trail_->begin(camera_ray);
+  }
   open_.push_back({camera_ray, Rgb(1.0), {}, 0});
   open_.back().ray.direction *= 1.0 / glm::length(camera_ray.direction);
   while (!open_.empty()) {
@@ -88,9 +86,17 @@ void Tracer::follow(Path& path) {
     sum_ += path.throughput * glm::mix(b.top, b.bottom, y_);
     return;
   }
-  const ShadingPoint point = shading_point(plan_, path.ray, *hit);
-  const PlannedMaterial& material = plan_.materials[plan_.instances[hit->instance].material];
+  ShadingPoint point = shading_point(plan_, path.ray, *hit);
+  const PlannedInstance& instance = plan_.instances[hit->instance];
+  const PlannedMaterial& material = plan_.materials[instance.material];
   const Vec3& direction = path.ray.direction;
+  if (trail_) {
+    trail_->arrive(open_.size(), path.ray, hit->t, point);
+  }
+  std::optional<Reflectances> look;
+  if (instance.textures) {
+    look = textured(plan_, path.ray, *hit, material, trail_ ? &trail_->here() : nullptr, point);
+  }
   Media media{no_instance, no_instance};
   if (material.transmissive) {
     media = media_about(plan_, point, direction);
@@ -101,30 +107,29 @@ void Tracer::follow(Path& path) {
     path.throughput *= transmittance(plan_, media.before, hit->t);
   }
   const bool deepest = path.depth >= plan_.options.max_depth;
-  const Scatter at{path, point, material, direction, media};
+  const Scatter at{path, point, material, direction, look ? *look : material.plain, media};
   if (material.transmissive && hides(plan_, media, hit->instance)) {
     if (!deepest) {
       add(at, direction, path.throughput, false);
     }
     return;
   }
-  sum_ += path.throughput * surface(path, point, material, direction);
+  sum_ += path.throughput * surface(at);
   if (!deepest) {
     scatter(at);
   }
 }
 
-Rgb Tracer::surface(const Path& path, const ShadingPoint& point, const PlannedMaterial& material,
-                    const Vec3& direction) {
-  const Phong phong{base_colour(plan_, point, material) * material.opacity, material.ks,
-                    material.shininess, material.least_r_dot_v};
+Rgb Tracer::surface(const Scatter& at) {
+  const Phong phong{at.surface.kd * at.surface.opacity, at.surface.ks, at.material.shininess,
+                    at.material.least_r_dot_v};
   const double negligible =
-      negligible_light(plan_.options, plan_.lights.size()) / largest(path.throughput);
-  Rgb sum = material.emission + phong.kd * plan_.ambient;
+      negligible_light(plan_.options, plan_.lights.size()) / largest(at.path.throughput);
+  Rgb sum = at.material.emission + phong.kd * plan_.ambient;
   const auto lights = static_cast<std::uint32_t>(plan_.lights.size());
   for (std::uint32_t i = 0; i < lights; ++i) {
-    const Vertex vertex{path.vertex.order, path.vertex.copy * lights + i};
-    sum += direct_light(plan_, i, phong, point, -direction, *sampler_, vertex, negligible,
+    const Vertex vertex{at.path.vertex.order, at.path.vertex.copy * lights + i};
+    sum += direct_light(plan_, i, phong, at.point, -at.direction, *sampler_, vertex, negligible,
                         shadow_cache_, *counts_);
   }
   return sum;
@@ -142,7 +147,7 @@ void Tracer::scatter(const Scatter& at) {
   glass.n2 = index_of(plan_, at.media.behind);
   const double cos_i = std::min(1.0, std::abs(glm::dot(at.direction, at.point.shading_normal)));
   const double f = fresnel(cos_i, glass.n1, glass.n2);
-  divide(glass, plan_.options.reflection ? f : 0.0, (1.0 - at.material.opacity) * (1.0 - f));
+  divide(glass, plan_.options.reflection ? f : 0.0, (1.0 - at.surface.opacity) * (1.0 - f));
 }
 
 void Tracer::divide(const Scatter& at, double reflected, double transmitted) {
@@ -222,6 +227,10 @@ void Tracer::add(const Scatter& at, const Vec3& direction, const Rgb& throughput
     }
     ++next.vertex.order;
     next.throughput *= negligible_ / weight;
+  }
+  if (trail_) {
+    trail_->branch(at.point, at.direction, direction, at.n1 / at.n2,
+                   drawn ? &*at.material.lobe : nullptr);
   }
   ++(outward ? counts_->reflection : counts_->refraction);
   open_.push_back(next);

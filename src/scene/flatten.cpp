@@ -56,7 +56,7 @@ class Flattener {
  private:
   struct Paint {
     std::shared_ptr<const Material> material;
-    std::shared_ptr<const Texture> texture;
+    std::shared_ptr<const TextureSet> textures;
   };
 
   /// A node whose children are being visited.
@@ -90,13 +90,13 @@ class Flattener {
     }
   }
 
-  /// A material set here comes with the texture set here, or none; else both are the parent's, but
-  /// for a texture set here.
+  /// A material set here comes with the textures set here, or none; else both are the parent's, but
+  /// for textures set here.
   static Paint painted(const Node& node, const Paint& inherited) {
     if (node.material) {
-      return {node.material, node.texture};
+      return {node.material, node.textures};
     }
-    return {inherited.material, node.texture ? node.texture : inherited.texture};
+    return {inherited.material, layered(inherited.textures, node.textures)};
   }
 
   static void check_depth(const Node& node, std::size_t depth) {
@@ -130,7 +130,7 @@ class Flattener {
     }
     result_.instances.push_back({world_from_model, *model_from_world, node.shape,
                                  paint.material ? paint.material : default_material(node),
-                                 paint.texture, node.name, path});
+                                 paint.textures, node.name, path});
   }
 
   std::shared_ptr<const Material> default_material(const Node& node) {

@@ -176,6 +176,10 @@ constexpr std::array specs{
     feature<&RenderOptions::antialiasing>("antialiasing", "more than one sample a pixel"),
     feature<&RenderOptions::adaptive>("adaptive", "more samples where the error asks for them"),
     feature<&RenderOptions::motion_blur>("motion_blur", "movement while the shutter is open"),
+    feature<&RenderOptions::textures>("textures", "pictures and checkers on surfaces"),
+    feature<&RenderOptions::noise>("noise", "patterns of noise on surfaces"),
+    feature<&RenderOptions::texture_filter>(
+        "texture_filter", "filtering of textures over a sample's footprint; off only to compare"),
     feature<&RenderOptions::acceleration>("acceleration", "anything but trying shapes one by one"),
 };
 

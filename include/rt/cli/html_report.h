@@ -7,7 +7,6 @@
 #include <string>
 
 #include "rt/cli/report.h"
-#include "rt/render/plan.h"
 #include "rt/render/render.h"
 
 namespace rt::cli {
@@ -20,8 +19,8 @@ class HtmlReport {
   /// Whether a page is wanted; else the functions below do nothing.
   bool wanted() const { return !file_.empty(); }
 
-  /// A picture is rendered: keeps a copy of it.
-  void picture(const RenderPlan& plan, const RenderResult& result);
+  /// A picture is rendered: keeps a copy of it, and its plan as explain() puts it.
+  void picture(std::string explained, const RenderResult& result);
   /// It is written too, and all its times are known: encodes it for the page.
   void finish(const PictureReport& report);
 
@@ -31,8 +30,8 @@ class HtmlReport {
  private:
   std::filesystem::path file_;
   std::optional<RenderResult> result_;  ///< of the picture at hand
-  std::string plan_;                    ///< of the picture at hand, as HTML
-  std::string sections_;                ///< of the finished pictures
+  std::string explained_;
+  std::string sections_;  ///< of the finished pictures
 };
 
 /// How an estimated error shows: white at the target, bluer for each halving below it, redder for

@@ -13,6 +13,8 @@ OptionalHit intersect(const Blob& shape, const Ray& ray, double t_max, const Ray
 SurfacePoint surface_point(const Blob& shape, const Ray& ray, const ShapeHit& hit);
 SurfaceCoordinates surface_coordinates(const Blob& shape, const SurfacePoint& point,
                                        std::uint32_t feature);
+Vec3 normal_change(const Blob& shape, const SurfacePoint& point, std::uint32_t feature,
+                   const Vec3& step);
 Bounds bounds(const Blob& shape);
 
 }  // namespace rt

@@ -14,6 +14,8 @@ OptionalHit intersect(const Box& shape, const Ray& ray, double t_max, const RayS
 SurfacePoint surface_point(const Box& shape, const Ray& ray, const ShapeHit& hit);
 SurfaceCoordinates surface_coordinates(const Box& shape, const SurfacePoint& point,
                                        std::uint32_t feature);
+Vec3 normal_change(const Box& shape, const SurfacePoint& point, std::uint32_t feature,
+                   const Vec3& step);
 Bounds bounds(const Box& shape);
 
 }  // namespace rt

@@ -13,6 +13,8 @@ OptionalHit intersect(const PointedCone& shape, const Ray& ray, double t_max,
 SurfacePoint surface_point(const PointedCone& shape, const Ray& ray, const ShapeHit& hit);
 SurfaceCoordinates surface_coordinates(const PointedCone& shape, const SurfacePoint& point,
                                        std::uint32_t feature);
+Vec3 normal_change(const PointedCone& shape, const SurfacePoint& point, std::uint32_t feature,
+                   const Vec3& step);
 Bounds bounds(const PointedCone& shape);
 
 }  // namespace rt

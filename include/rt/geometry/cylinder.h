@@ -12,6 +12,8 @@ OptionalHit intersect(const Cylinder& shape, const Ray& ray, double t_max, const
 SurfacePoint surface_point(const Cylinder& shape, const Ray& ray, const ShapeHit& hit);
 SurfaceCoordinates surface_coordinates(const Cylinder& shape, const SurfacePoint& point,
                                        std::uint32_t feature);
+Vec3 normal_change(const Cylinder& shape, const SurfacePoint& point, std::uint32_t feature,
+                   const Vec3& step);
 Bounds bounds(const Cylinder& shape);
 
 }  // namespace rt

@@ -40,6 +40,8 @@ OptionalHit intersect(const Mesh& shape, const Ray& ray, double t_max, const Ray
 SurfacePoint surface_point(const Mesh& shape, const Ray& ray, const ShapeHit& hit);
 SurfaceCoordinates surface_coordinates(const Mesh& shape, const SurfacePoint& point,
                                        std::uint32_t feature);
+Vec3 normal_change(const Mesh& shape, const SurfacePoint& point, std::uint32_t feature,
+                   const Vec3& step);
 Bounds bounds(const Mesh& shape);
 
 }  // namespace rt

@@ -1,5 +1,5 @@
 #pragma once
-/// The closed list of shapes. To add one: write its header (a plain struct and the four functions
+/// The closed list of shapes. To add one: write its header (a plain struct and the five functions
 /// below) beside the others, and add it to the variant.
 ///
 ///   OptionalHit intersect(const S&, const Ray&, double t_max, const RayStart&)
@@ -7,7 +7,11 @@
 ///   SurfacePoint surface_point(const S&, const Ray&, const ShapeHit&)
 ///       The hit refined onto the surface, and the normals there.
 ///   SurfaceCoordinates surface_coordinates(const S&, const SurfacePoint&, std::uint32_t feature)
-///       Only evaluated for textured surfaces.
+///       Only evaluated for textured surfaces. Derivatives are those of one smooth sheet: they do
+///       not jump where u wraps. dp_du is 0 at a pole.
+///   Vec3 normal_change(const S&, const SurfacePoint&, std::uint32_t feature, const Vec3& step)
+///       How the shading normal changes over a step along the surface, to first order. Only
+///       evaluated where rays have differentials.
 ///   Bounds bounds(const S&)
 ///       A box that holds the shape; infinite where the shape is.
 #include <variant>

@@ -16,6 +16,8 @@ OptionalHit intersect(const Torus& shape, const Ray& ray, double t_max, const Ra
 SurfacePoint surface_point(const Torus& shape, const Ray& ray, const ShapeHit& hit);
 SurfaceCoordinates surface_coordinates(const Torus& shape, const SurfacePoint& point,
                                        std::uint32_t feature);
+Vec3 normal_change(const Torus& shape, const SurfacePoint& point, std::uint32_t feature,
+                   const Vec3& step);
 Bounds bounds(const Torus& shape);
 
 }  // namespace rt

@@ -23,8 +23,16 @@ struct PlannedMesh {
   std::unique_ptr<const BoxTree> tree;  ///< over triangles; null: try them one by one
 };
 
+/// What a surface reflects and lets through at a point, textures resolved.
+struct Reflectances {
+  Rgb kd;
+  Rgb ks;
+  double opacity;
+};
+
 /// A material with what follows from it, options considered.
 struct PlannedMaterial : Material {
+  Reflectances plain{};                 ///< where no texture drives any of it
   bool transmissive = false;            ///< opacity < 1: glass
   double least_r_dot_v = 0.0;           ///< below it no highlight reaches negligible_light()
   std::optional<PowerCosineLobe> lobe;  ///< spreads reflection and transmission; none: perfect
@@ -46,7 +54,7 @@ enum class Shadow : std::uint8_t {
 /// One shape placed in render space; where it moves, as it is when the shutter opens.
 struct PlannedInstance : Placement {
   std::shared_ptr<const Shape> shape;
-  std::shared_ptr<const Texture> texture;  ///< null: kd is the material's
+  std::shared_ptr<const TextureSet> textures;  ///< those in force; null: none
   std::uint32_t material = 0;
   Shadow shadow = Shadow::blocks;
   const PlannedMesh* mesh = nullptr;
@@ -112,10 +120,11 @@ struct RenderPlan {
   RenderOptions options;
 
   // What this scene needs. What it does not need costs nothing.
-  bool random = false;   ///< extended lights or gloss: paths take random decisions
-  bool dims = false;     ///< some instance dims shadow rays
-  bool absorbs = false;  ///< some medium absorbs
-  bool moves = false;    ///< something moves: rays have a time
+  bool random = false;      ///< extended lights or gloss: paths take random decisions
+  bool dims = false;        ///< some instance dims shadow rays
+  bool absorbs = false;     ///< some medium absorbs
+  bool moves = false;       ///< something moves: rays have a time
+  bool footprints = false;  ///< textures are filtered: rays have differentials
 
   /// The transmissive instances whose boxes meet that of `instance`, itself included if it is one;
   /// smallest box first. Filled for transmissive instances, and for all where a medium absorbs.

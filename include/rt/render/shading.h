@@ -29,7 +29,16 @@ struct ShadingPoint {
   std::uint32_t instance;
   std::uint32_t feature;
   double time;  ///< of the ray that found it
+  /// Distance on the surface between neighbouring samples; 0 where nobody asks (no textures).
+  double footprint = 0.0;
 };
+
+/// The hit in the instance's model space, refined onto the surface.
+SurfacePoint model_point(const PlannedInstance& instance, const Placement& placement,
+                         const TraceRay& ray, const SceneHit& hit);
+
+/// A model's unit normal in render space.
+Vec3 render_normal(const Placement& instance, const Vec3& n);
 
 ShadingPoint shading_point(const RenderPlan& plan, const TraceRay& ray, const SceneHit& hit);
 

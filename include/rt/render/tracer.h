@@ -1,10 +1,12 @@
 #pragma once
 /// The recursive shader: the radiance that arrives along a camera ray.
+#include <optional>
 #include <vector>
 
 #include "rt/math/sampler.h"
 #include "rt/render/accel/shadow_cache.h"
-#include "rt/render/shading.h"
+#include "rt/render/footprint.h"
+#include "rt/render/surface_texture.h"
 
 namespace rt {
 
@@ -40,8 +42,7 @@ class Tracer {
   struct Scatter;
 
   void follow(Path& path);
-  Rgb surface(const Path& path, const ShadingPoint& point, const PlannedMaterial& material,
-              const Vec3& direction);
+  Rgb surface(const Scatter& at);
   void scatter(const Scatter& at);
   void divide(const Scatter& at, double reflected, double transmitted);
   void reflect(const Scatter& at, const Rgb& throughput);
@@ -52,6 +53,7 @@ class Tracer {
   double negligible_;
   ShadowCache shadow_cache_;
   std::vector<Path> open_;
+  std::optional<FootprintTrail> trail_;  ///< beside open_, where textures want footprints
 
   // Of the sample being taken.
   Rgb sum_{0.0};

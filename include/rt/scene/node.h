@@ -7,7 +7,7 @@
 #include "rt/math/transform.h"
 #include "rt/scene/material.h"
 #include "rt/scene/motion.h"
-#include "rt/scene/texture.h"
+#include "rt/scene/texture_set.h"
 
 namespace rt {
 
@@ -25,9 +25,9 @@ struct Node {
   Affine parent_from_node;               ///< maps this node's space into its parent's
   std::shared_ptr<const Motion> motion;  ///< of the node so placed, in its parent's space; or null
   std::shared_ptr<const Material> material;  ///< null: inherit the nearest ancestor's
-  /// Replaces kd of `material` where that is set here, else of the inherited material. Inherited
-  /// together with the material.
-  std::shared_ptr<const Texture> texture;
+  /// Of `material` where that is set here, else of the inherited material, on top of the textures
+  /// inherited with it. Inherited together with the material. Null: none.
+  std::shared_ptr<const TextureSet> textures;
   std::shared_ptr<const Shape> shape;  ///< null: groups its children only
   std::vector<std::shared_ptr<Node>> children;
   bool has_parent = false;  ///< has been added under some node; kept by add_child
@@ -52,7 +52,7 @@ struct Instance {
   Affine model_from_world;
   std::shared_ptr<const Shape> shape;  ///< shared by the instances of one node
   std::shared_ptr<const Material> material;
-  std::shared_ptr<const Texture> texture;  ///< null: kd is the material's
+  std::shared_ptr<const TextureSet> textures;  ///< null: all is the material's
   std::string name;
   /// Null: still. Else world_from_model over the shutter's time; the maps above are those at 0.
   std::shared_ptr<const MotionPath> motion = nullptr;

@@ -51,7 +51,10 @@ struct RenderOptions {
   bool antialiasing = true;  ///< false: one sample at the pixel's centre
   bool adaptive = true;      ///< false: `aa` is uniform unless it is corners
   bool acceleration = true;
-  bool motion_blur = true;  ///< false: all stands as it is when the shutter opens
+  bool motion_blur = true;     ///< false: all stands as it is when the shutter opens
+  bool textures = true;        ///< false: pictures and checkers are left out
+  bool noise = true;           ///< false: so are patterns of noise
+  bool texture_filter = true;  ///< false: textures are read at points, to compare
   Background background;
   double shutter_open = 0.0, shutter_close = 1.0;  ///< 0 <= open <= close <= 1
 };

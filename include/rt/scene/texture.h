@@ -2,7 +2,7 @@
 #include <memory>
 #include <variant>
 
-#include "rt/math/vec.h"
+#include "rt/scene/noise_texture.h"
 
 namespace rt {
 
@@ -26,12 +26,21 @@ struct ImageTexture {
   Wrap wrap = Wrap::repeat;
 };
 
-/// What may stand for a material's kd. To add one: a struct, its colour(), and an entry here.
-using Texture = std::variant<Checker, ImageTexture>;
+/// What may drive a material. To add one: a struct, its value in render/surface_texture.cpp, and an
+/// entry here.
+using Texture = std::variant<Checker, ImageTexture, NoiseTexture>;
 
-/// The colour at a point of model space. Cells count correctly at any finite coordinate.
-Rgb colour(const Checker& checker, const Vec3& p_model);
-/// Mid-grey: a picture has its place on a surface, not in space.
-Rgb colour(const ImageTexture& texture, const Vec3& p_model);
+/// The checker's mean over the box of `width` about a point of model space; the colour there where
+/// the width is 0. Cells count correctly at any finite coordinate. A point that lies on a wall
+/// between cells, as far as rounding can tell, belongs to the upper cell: faces do not speckle.
+///
+/// A footprint is a parallelogram, the box holds it: exact for one along the axes, too smooth for
+/// others. The worst is one that is long and lies along the diagonal of the cells, where the
+/// checker is constant and the box gives grey: an error of up to half the contrast as long as the
+/// footprint is narrower than a cell.
+Rgb colour(const Checker& checker, const Vec3& p_model, const Vec3& width = Vec3(0.0));
+
+/// Rec.709 luminance: what a colour stands for where one number is wanted.
+inline double grey(const Rgb& c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; }
 
 }  // namespace rt

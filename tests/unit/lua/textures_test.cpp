@@ -26,7 +26,7 @@ class LuaTextures : public ScriptTest {
   ImageTexture made(const std::string& expression) {
     const auto& instance =
         instance_of_root("root = gr.sphere('s'):set_texture(" + expression + ")");
-    return std::get<ImageTexture>(*instance.texture);
+    return std::get<ImageTexture>(*(*instance.textures)[TextureSlot::kd].texture);
   }
   std::vector<std::filesystem::path> opened_;
 };

@@ -1,0 +1,156 @@
+#include "rt/render/footprint.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rt/render/adaptive.h"
+
+namespace rt {
+namespace {
+
+/// The unit vector along v's part across `axis`; any one across where there is none.
+Vec3 across(const Vec3& v, const Vec3& axis) {
+  const Vec3 part = v - glm::dot(v, axis) * axis;
+  const double length = glm::length(part);
+  if (length > 0.0 && std::isfinite(length)) {
+    return part / length;
+  }
+  const Vec3 other = std::abs(axis.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+  return glm::normalize(glm::cross(axis, other));
+}
+
+/// Change of a unit vector along v when v changes by dv.
+Vec3 unit_change(const Vec3& v, const Vec3& dv) {
+  const double length = glm::length(v);
+  const Vec3 unit = v / length;
+  return (dv - glm::dot(unit, dv) * unit) / length;
+}
+
+}  // namespace
+
+double sample_spacing(const RenderOptions& options) {
+  const int fixed = fixed_samples(options);
+  if (fixed > 0) {
+    return 1.0 / std::sqrt(fixed);
+  }
+  if (options.aa == AntiAliasing::corners) {
+    return 1.0;
+  }
+  return 1.0 / std::sqrt(std::min(static_cast<int>(pilot_samples), options.max_samples));
+}
+
+RayDifferential camera_differential(const CameraFrame& camera, const RenderOptions& options,
+                                    const Vec3& direction) {
+  const double spacing = sample_spacing(options);
+  return {Vec3(0.0), Vec3(0.0),
+          unit_change(direction, 2.0 * spacing / options.width * camera.right),
+          unit_change(direction, 2.0 * spacing / options.height * camera.down)};
+}
+
+RayDifferential arrived(const RayDifferential& ray, const Vec3& direction, double t,
+                        const Vec3& normal) {
+  const double d_dot_n = glm::dot(direction, normal);
+  const auto on_plane = [&](const Vec3& dp, const Vec3& dd) {
+    const Vec3 carried = dp + t * dd;
+    const Vec3 on = carried - glm::dot(carried, normal) / d_dot_n * direction;
+    return all_finite(on) ? on : carried;  // along the plane there is no crossing
+  };
+  return {on_plane(ray.dp_dx, ray.dd_dx), on_plane(ray.dp_dy, ray.dd_dy), ray.dd_dx, ray.dd_dy};
+}
+
+// R = D - 2 (D.N) N, differentiated.
+RayDifferential reflected(const RayDifferential& at, const Vec3& direction,
+                          const NormalDifferential& n) {
+  const double d_dot_n = glm::dot(direction, n.normal);
+  const auto turned = [&](const Vec3& dd, const Vec3& dn) {
+    const double change = glm::dot(dd, n.normal) + glm::dot(direction, dn);
+    return dd - 2.0 * (d_dot_n * dn + change * n.normal);
+  };
+  return {at.dp_dx, at.dp_dy, turned(at.dd_dx, n.dn_dx), turned(at.dd_dy, n.dn_dy)};
+}
+
+// T = eta D - mu N with mu = eta D.N - T.N and (T.N)^2 = 1 - eta^2 (1 - (D.N)^2), differentiated.
+RayDifferential refracted(const RayDifferential& at, const Vec3& direction,
+                          const NormalDifferential& n, double eta) {
+  const double d_dot_n = glm::dot(direction, n.normal);
+  const double square = 1.0 - eta * eta * (1.0 - d_dot_n * d_dot_n);
+  if (!(square > 0.0)) {
+    return at;
+  }
+  const double t_dot_n = -std::sqrt(square);
+  const double mu = eta * d_dot_n - t_dot_n;
+  const double rate = eta - eta * eta * d_dot_n / t_dot_n;
+  const auto turned = [&](const Vec3& dd, const Vec3& dn) {
+    const double change = glm::dot(dd, n.normal) + glm::dot(direction, dn);
+    return eta * dd - (mu * dn + rate * change * n.normal);
+  };
+  return {at.dp_dx, at.dp_dy, turned(at.dd_dx, n.dn_dx), turned(at.dd_dy, n.dn_dy)};
+}
+
+// A lobe of density ~ cos^e has E[sin^2] = 2 / (e + 3), half of it along each axis; the box of that
+// variance is sqrt(12 / (e + 3)) wide.
+RayDifferential widened(const RayDifferential& perfect, const Vec3& drawn,
+                        const PowerCosineLobe& lobe, double spacing) {
+  const double lobe_width = spacing * std::sqrt(12.0 / (lobe.exponent() + 3.0));
+  const auto wide = [&](const Vec3& dp, const Vec3& dd) {
+    // Away from the ray's own place, so that the beam opens.
+    return std::hypot(glm::length(dd), lobe_width) *
+           across(glm::dot(dp, dp) > 0.0 ? dp : dd, drawn);
+  };
+  return {perfect.dp_dx, perfect.dp_dy, wide(perfect.dp_dx, perfect.dd_dx),
+          wide(perfect.dp_dy, perfect.dd_dy)};
+}
+
+NormalDifferential normal_differential(const RenderPlan& plan, const ShadingPoint& point,
+                                       const RayDifferential& at) {
+  const PlannedInstance& instance = plan.instances[point.instance];
+  const PlacementAt placement(instance, point.time);
+  const Mat3& to_model = placement->model_from_render.linear;
+  const double sign = point.side == Leaving::outward ? 1.0 : -1.0;
+  // Normals map back by the transpose of the map that carried points.
+  const auto model_normal = [&](const Vec3& n) {
+    return glm::normalize(sign * (n * placement->render_from_model.linear));
+  };
+  const SurfacePoint p{placement->model_from_render.point(point.position),
+                       model_normal(point.normal), model_normal(point.shading_normal)};
+  const auto change = [&](const Vec3& step) {
+    const Vec3 in_model = std::visit(
+        [&](const auto& shape) { return normal_change(shape, p, point.feature, to_model * step); },
+        *instance.shape);
+    return unit_change(p.shading_normal * to_model, sign * (in_model * to_model));
+  };
+  return {point.shading_normal, change(at.dp_dx), change(at.dp_dy)};
+}
+
+FootprintTrail::FootprintTrail(const RenderPlan& plan)
+    : plan_(plan), spacing_(sample_spacing(plan.options)) {}
+
+void FootprintTrail::begin(const TraceRay& camera_ray) {
+  open_.clear();
+  if (plan_.moving_camera) {
+    const double time =
+        std::lerp(plan_.options.shutter_open, plan_.options.shutter_close, camera_ray.time);
+    const CameraFrame now = frame_of(at_time(*plan_.moving_camera, time), plan_.options);
+    open_.push_back(camera_differential(now, plan_.options, camera_ray.direction));
+  } else {
+    open_.push_back(camera_differential(plan_.camera, plan_.options, camera_ray.direction));
+  }
+}
+
+void FootprintTrail::arrive(std::size_t open, const TraceRay& ray, double t, ShadingPoint& point) {
+  // What lies above is of paths that met nothing.
+  here_ = arrived(open_[open], ray.direction, t, point.normal);
+  open_.resize(open);
+  point.footprint = std::sqrt(glm::length(here_.dp_dx) * glm::length(here_.dp_dy));
+}
+
+void FootprintTrail::branch(const ShadingPoint& point, const Vec3& incoming, const Vec3& direction,
+                            double eta, const PowerCosineLobe* lobe) {
+  const NormalDifferential n = normal_differential(plan_, point, here_);
+  const RayDifferential next = glm::dot(direction, point.normal) > 0.0
+                                   ? reflected(here_, incoming, n)
+                                   : refracted(here_, incoming, n, eta);
+  open_.push_back(lobe == nullptr ? next : widened(next, direction, *lobe, spacing_));
+}
+
+}  // namespace rt
