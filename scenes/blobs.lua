@@ -119,7 +119,7 @@ for i = 1, 60 do
     :translate(0, 0.345, 0):rotate('z', across - 90):translate(0.62, 0, 0):rotate('y', around)
     :scale(1, 0.9, 1):translate(0, 0.41, 0))
 end
-add(doughnut:scale(0.74):translate(-0.15, 0, 2.75))
+add(doughnut:scale(0.74):translate(-0.15, 0, 2.62))
 
 -- A present, with a ribbon.
 local present = gr.node("present")
@@ -189,7 +189,7 @@ local function creature(is)
   return node:translate(0, 1, 0)   -- stands on the floor
 end
 
-local bo = creature{name = "Bo", colour = {0.06, 0.50, 0.50}, blush = shiny{0.55, 0.35, 0.40}, gaze = {0.55, 0.35, 0.76},
+local bo = creature{name = "Bo", colour = {0.03, 0.40, 0.42}, blush = shiny{0.55, 0.35, 0.40}, gaze = {0.55, 0.35, 0.76},
                     arms = {25, 150}, hat = red}
 add(bo:scale(1.15):rotate('y', 12):translate(-2.1, 0, 0))
 
@@ -206,11 +206,11 @@ local moon = gr.sphere("moon"):set_material(gr.material{kd = 1})
 moon:perlin_noise{seed = 12, octaves = {{scale = 1.15, weight = 1}, {scale = 2.6, weight = 0.5}, {scale = 6, weight = 0.25},
     {scale = 14, weight = 0.2}},
   ramp = {{0.32, {0.22, 0.21, 0.20}}, {0.46, {0.36, 0.35, 0.33}}, {0.54, {0.68, 0.66, 0.62}}, {0.72, {0.9, 0.88, 0.82}}}}
-local crater = {{0.16, 0.12}, {0.20, 0}, {0.27, 0.1}, {0.315, 1}, {0.34, 0.8}, {0.40, 0.6}}
+local crater = {{0.16, 0.1}, {0.24, 0}, {0.30, 0.2}, {0.35, 1}, {0.40, 0.8}, {0.50, 0.6}}
 for i, scale in ipairs{2.6, 6.1} do
-  moon:perlin_noise{on = "bump", add = true, seed = 20 + i, strength = 0.11 / scale, octaves = {{scale = scale}}, ramp = crater}
+  moon:perlin_noise{on = "bump", add = true, seed = 20 + i, strength = 0.14 / scale, octaves = {{scale = scale}}, ramp = crater}
 end
-add(moon:rotate('x', 20):rotate('y', -35):scale(1.38):translate(4.75, 4.2, -12))
+add(moon:rotate('x', 20):rotate('y', -35):scale(1.38):translate(4.85, 3.72, -12))
 for i = 1, 40 do   -- stars
   add(ball("star", {-0.4 + (i * 5.37) % 9.6, (i * 3.713) % 6.4, -20}, 0.02 + 0.012 * (i % 3), glint))
 end
@@ -218,7 +218,7 @@ end
 -- Light and camera ---------------------------------------------------------------------------
 
 local lights = {
-  gr.light{position = {-1.8, 7.4, 4.2}, u = {2.4, 0, 0}, v = {0, 0, 1.6}, colour = {1.68, 1.5, 1.22}, falloff = {0.6, 0, 0.015}, visible = true},
+  gr.light{position = {-1.8, 7.4, 4.2}, u = {2.4, 0, 0}, v = {0, 0, 1.6}, colour = {1.55, 1.4, 1.16}, falloff = {0.6, 0, 0.015}, visible = true},
   gr.light{position = {24, 16, 4}, colour = {1.3, 1.22, 1.02}},     -- the sun, on the moon
 }
 
