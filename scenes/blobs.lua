@@ -119,7 +119,7 @@ for i = 1, 60 do
     :translate(0, 0.345, 0):rotate('z', across - 90):translate(0.62, 0, 0):rotate('y', around)
     :scale(1, 0.9, 1):translate(0, 0.41, 0))
 end
-add(doughnut:scale(0.74):translate(-0.15, 0, 2.62))
+add(doughnut:scale(0.74):translate(-0.12, 0, 2.45))
 
 -- A present, with a ribbon.
 local present = gr.node("present")
@@ -208,7 +208,7 @@ moon:perlin_noise{seed = 12, octaves = {{scale = 1.15, weight = 1}, {scale = 2.6
   ramp = {{0.32, {0.22, 0.21, 0.20}}, {0.46, {0.36, 0.35, 0.33}}, {0.54, {0.68, 0.66, 0.62}}, {0.72, {0.9, 0.88, 0.82}}}}
 local crater = {{0.16, 0.1}, {0.24, 0}, {0.30, 0.2}, {0.35, 1}, {0.40, 0.8}, {0.50, 0.6}}
 for i, scale in ipairs{2.6, 6.1} do
-  moon:perlin_noise{on = "bump", add = true, seed = 20 + i, strength = 0.14 / scale, octaves = {{scale = scale}}, ramp = crater}
+  moon:perlin_noise{on = "bump", add = true, seed = 20 + i, strength = 0.1 / scale, octaves = {{scale = scale}}, ramp = crater}
 end
 add(moon:rotate('x', 20):rotate('y', -35):scale(1.38):translate(4.85, 3.72, -12))
 for i = 1, 40 do   -- stars
