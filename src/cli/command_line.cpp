@@ -141,6 +141,8 @@ void declare(CLI::App& app, CommandLine& line, Raw& raw) {
       ->type_name("LIST");
   app.add_option("--stats", line.stats, "write times, rays and memory as JSON")
       ->type_name("FILE.json");
+  app.add_flag("--explain", line.explain,
+               "say what the scene needs and what was chosen for it; no picture is made");
   app.add_flag("--resume", line.resume,
                "go on where an interrupted run stopped: from the checkpoint beside its picture");
   app.add_option("--checkpoint", line.checkpoint_every,

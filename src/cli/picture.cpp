@@ -9,6 +9,7 @@
 #include "rt/cli/say.h"
 #include "rt/cli/session.h"
 #include "rt/io/image.h"
+#include "rt/render/explain.h"
 #include "rt/render/plan.h"
 #include "rt/render/scene_warnings.h"
 
@@ -31,6 +32,11 @@ void Session::picture(RenderJob job) {
   report.phases.script = watch_.lap();
   override_options(job.options);
   report.crop = crop_of(job.options);
+  if (line_.explain) {
+    ++pictures_;
+    fmt::print("{}", explain(make_plan(job), thread_count()));
+    return;
+  }
   const auto path = place_of(job.output);
   io::check_output(path);
   report.picture = path.string();

@@ -25,6 +25,25 @@ std::string slow_scene(int pictures = 1) {
          "end\n";
 }
 
+/// A BMP of one grey pixel.
+std::string grey_bmp(char grey) {
+  std::string bytes = "BM";
+  const auto number = [&bytes](std::uint32_t value, int size) {
+    for (int i = 0; i < size; ++i) {
+      bytes += static_cast<char>(value >> (8 * i) & 0xffU);
+    }
+  };
+  for (const std::uint32_t v : {58U, 0U, 54U, 40U, 1U, 1U}) {  // sizes, where pixels are, 1 x 1
+    number(v, 4);
+  }
+  number(1, 2);   // planes
+  number(24, 2);  // bits a pixel
+  for (const std::uint32_t v : {0U, 4U, 2835U, 2835U, 0U, 0U}) {
+    number(v, 4);
+  }
+  return bytes + std::string(3, grey) + '\0';
+}
+
 class Resumed : public ProgramTest {
  protected:
   void SetUp() override {
@@ -148,7 +167,9 @@ TEST_F(Resumed, AnotherSceneFileOrOptionIsRefused) {
   const std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   write("part.obj", mesh);
   write("lib.lua", "return 0.2");
-  const std::string scene = "require 'lib'\ngr.mesh('m', 'part.obj')\n" + slow_scene();
+  write("tile.bmp", grey_bmp('\x80'));
+  const std::string scene =
+      "require 'lib'\ngr.mesh('m', 'part.obj')\ngr.texture('tile.bmp')\n" + slow_scene();
   write("scene.lua", scene);
   EXPECT_EQ(interrupt("--samples 400").exit_code, 130);
   const std::string before = contents(folder_ / "p1.png");
@@ -171,6 +192,9 @@ TEST_F(Resumed, AnotherSceneFileOrOptionIsRefused) {
   write("lib.lua", "return 0.3");
   refused("--samples 400", "lib.lua");
   write("lib.lua", "return 0.2");
+  write("tile.bmp", grey_bmp('\x81'));
+  refused("--samples 400", "tile.bmp");
+  write("tile.bmp", grey_bmp('\x80'));
   write("scene.lua", scene + "-- a remark\n");
   refused("--samples 400", "the file scene.lua");
   write("scene.lua", scene);

@@ -49,8 +49,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     text = ScriptGrammar({data + 1, size - 1}).script();
   }
   std::ofstream(file, std::ios::binary) << text;
-  const auto open_texture = [](const std::filesystem::path& file) {
-    return rt::io::open_texture(file);
+  const auto open_texture = [](const std::filesystem::path& picture) {
+    return rt::io::open_texture(picture);
   };
   const rt::lua::Host host{check, rt::io::load_obj, open_texture, [](const std::string&) {}};
   rt::lua::Settings settings;

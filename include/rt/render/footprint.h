@@ -58,8 +58,8 @@ class FootprintTrail {
   void arrive(std::size_t open, const TraceRay& ray, double t, ShadingPoint& point);
   /// At the surface just met.
   const RayDifferential& here() const { return here_; }
-  /// A path goes on from there. `eta`: see refracted(); 1 where it goes straight on. `lobe`: the one
-  /// `direction` was drawn from, or null.
+  /// A path goes on from there. `eta`: see refracted(); 1 where it goes straight on. `lobe`: the
+  /// one `direction` was drawn from, or null.
   void branch(const ShadingPoint& point, const Vec3& incoming, const Vec3& direction, double eta,
               const PowerCosineLobe* lobe);
 
