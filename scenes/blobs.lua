@@ -1,4 +1,5 @@
 -- A party in the nursery: Pip, in a swimming ring, jumps past the moon, and Bo looks on.
+
 -- Units are about a foot; x is to the right, y up, z towards the camera. The floor is y = 0.
 
 local room = gr.node("room")
@@ -195,6 +196,7 @@ add(bo:scale(1.15):rotate('y', 12):translate(-2.1, 0, 0))
 
 local pip = creature{name = "Pip", colour = {0.95, 0.62, 0.08}, blush = shiny{0.9, 0.35, 0.15}, gaze = {-0.3, -0.25, 0.92},
                      arms = {140, 140}, laughs = true}
+-- The swimming ring: cells of the checker so large that each quarter of the ring lies in another.
 pip:add_child(gr.torus("ring", 1.28, 0.27):set_material(white):set_texture(gr.checker({0.75, 0.05, 0.05}, {0.9, 0.88, 0.85}, 10))
   :rotate('y', 45):translate(0, -0.5, 0))
 add(pip:scale(0.85):rotate('z', -12):rotate('y', -14):translate(1.3, 1.3, 0.3)
@@ -218,7 +220,9 @@ end
 -- Light and camera ---------------------------------------------------------------------------
 
 local lights = {
-  gr.light{position = {-1.8, 7.4, 4.2}, u = {2.4, 0, 0}, v = {0, 0, 1.6}, colour = {1.55, 1.4, 1.16}, falloff = {0.6, 0, 0.015}, visible = true},
+  -- At the ceiling: a rectangle, so that shadows are soft.
+  gr.light{position = {-1.8, 7.4, 4.2}, u = {2.4, 0, 0}, v = {0, 0, 1.6}, visible = true,
+           colour = {1.55, 1.4, 1.16}, falloff = {0.6, 0, 0.015}},
   gr.light{position = {24, 16, 4}, colour = {1.3, 1.22, 1.02}},     -- the sun, on the moon
 }
 
