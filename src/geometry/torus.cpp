@@ -7,6 +7,7 @@
 #include "first_crossing.h"
 #include "longitude.h"
 #include "rt/math/rounding.h"
+#include "torus_dips.h"
 #include "torus_form.h"
 
 namespace rt {
@@ -67,8 +68,7 @@ constexpr double polynomial_noise = 64 * 2 * unit_roundoff;
 /// has features much smaller than that radius (a spindle's tips, where two sheets meet): there the
 /// polynomial is followed down to rounding, so that the finish cannot stray to another root.
 double coarse_step(const Torus& torus) {
-  const double r = torus.minor_radius;
-  return (r <= 0.5 * torus.major_radius ? 0x1p-8 : 0x1p-26) * r;
+  return (has_wide_hole(torus) ? 0x1p-8 : 0x1p-26) * torus.minor_radius;
 }
 
 double size_of(const Torus& torus) { return torus.major_radius + torus.minor_radius; }
@@ -154,14 +154,19 @@ Chord clip_to_bounds(const Torus& torus, const Vec3& o, const Vec3& d) {
     return chord;
   }
   const double half = std::sqrt(square);
-  chord.clip(-half, 0, half, 0);
   const double thickness = torus.minor_radius + 16 * unit_roundoff * size;
-  chord.clip_slab(o.y, d.y, -thickness, 0, thickness, 0);
+  // No branch on the direction's sign, which is anyone's guess. For d.y = 0 both quotients are
+  // infinite, or one is NaN (on the slab's face) and loses every comparison.
+  const double per_y = 1 / d.y;
+  const double lower = (-thickness - o.y) * per_y;
+  const double upper = (thickness - o.y) * per_y;
+  chord.t_in = std::max(-half, std::min(lower, upper));
+  chord.t_out = std::min(half, std::max(lower, upper));
   return chord;
 }
 
 /// The first crossing within the chord; `sign` is the quartic's sign at its beginning.
-std::optional<double> first_root(const TorusLine& line, const Chord& chord, double sign) {
+std::optional<double> first_quartic_root(const TorusLine& line, const Chord& chord, double sign) {
   const double size = line.size();
   const Quartic quartic = quartic_of(line.torus, line.line.origin, line.direction);
   // Convex but for the stretch between the inflections, if there are any.
@@ -184,6 +189,16 @@ std::optional<double> first_root(const TorusLine& line, const Chord& chord, doub
     }
   }
   return {};
+}
+
+std::optional<double> first_root(const TorusLine& line, const Chord& chord, double sign) {
+  if (sign > 0 && chord.t_in < chord.t_out && has_wide_hole(line.torus)) {
+    const Verdict verdict = crossing_from_outside(line, chord);
+    if (verdict.certain) {
+      return verdict.s < infinity ? std::optional(verdict.s) : std::nullopt;
+    }
+  }
+  return first_quartic_root(line, chord, sign);
 }
 
 }  // namespace

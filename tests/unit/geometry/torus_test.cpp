@@ -90,6 +90,26 @@ TEST(Torus, EqualTorusCountsAsLeft) {
   EXPECT_NEAR(t_of(Torus{}, {1.25, 0, 0}, {-1, 0, 0}, near_start(1e-15)), 0.5, 1e-15);
 }
 
+/// The search looks at both ends of the chord; a limit puts the far one inside the solid, on the
+/// stretch about the axis where the form is concave, or before the ring's far side.
+TEST(Torus, ALimitTakesAwayOnlyWhatLiesBeyond) {
+  const Ray rays[] = {{{0.7, 0, 0}, {0, 0, 1}},     {{0.7, 0, -0.1}, {0, 0, 1}},
+                      {{0.6, 0, 0}, {0, 0.2, 1}},   {{0, 0, 0}, {1, 0.1, 0}},
+                      {{3, 0.1, 0.7}, {-1, 0, 0}},  {{0.5, 2, 0.1}, {0.1, -1, 0.2}},
+                      {{2, 0.4, 0}, {-1, -0.2, 0}}, {{0.74, 0.1, -0.5}, {0, 0, 1}}};
+  for (const Ray& ray : rays) {
+    const double t = t_of(Torus{}, ray.origin, ray.direction);
+    ASSERT_GT(t, 0);
+    for (const double part : {0.01, 0.5, 0.9, 0.999, 1.001, 1.01, 1.1, 1.5, 3.0}) {
+      const OptionalHit hit = intersect(Torus{}, ray, part * t, {});
+      ASSERT_EQ(hit.has_value(), part > 1) << t << " " << part;
+      if (hit) {
+        EXPECT_NEAR(hit->t, t, 1e-14 * (1 + t));
+      }
+    }
+  }
+}
+
 TEST(Torus, IsNeverHitByNanOrByNothing) {
   EXPECT_FALSE(hit(Torus{}, {3, nan, 0}, {-1, 0, 0}).has_value());
   EXPECT_FALSE(hit(Torus{}, {3, 0, 0}, {-1, 0, nan}).has_value());
