@@ -208,8 +208,8 @@ local moon = gr.sphere("moon"):set_material(gr.material{kd = 1})
 moon:perlin_noise{seed = 12, octaves = {{scale = 1.15, weight = 1}, {scale = 2.6, weight = 0.5}, {scale = 6, weight = 0.25},
     {scale = 14, weight = 0.2}},
   ramp = {{0.32, {0.22, 0.21, 0.20}}, {0.46, {0.36, 0.35, 0.33}}, {0.54, {0.68, 0.66, 0.62}}, {0.72, {0.9, 0.88, 0.82}}}}
-local crater = {{0.16, 0.1}, {0.24, 0}, {0.30, 0.2}, {0.35, 1}, {0.40, 0.8}, {0.50, 0.6}}
-for i, scale in ipairs{2.6, 6.1} do
+local crater = {{0.14, 0.1}, {0.22, 0}, {0.28, 0.2}, {0.33, 1}, {0.37, 0.8}, {0.44, 0.6}}
+for i, scale in ipairs{2.6, 6.1, 13.7} do
   moon:perlin_noise{on = "bump", add = true, seed = 20 + i, strength = 0.1 / scale, octaves = {{scale = scale}}, ramp = crater}
 end
 add(moon:rotate('x', 20):rotate('y', -35):scale(1.38):translate(4.85, 3.72, -12))
