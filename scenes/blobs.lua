@@ -120,7 +120,7 @@ for i = 1, 60 do
     :translate(0, 0.345, 0):rotate('z', across - 90):translate(0.62, 0, 0):rotate('y', around)
     :scale(1, 0.9, 1):translate(0, 0.41, 0))
 end
-add(doughnut:scale(0.74):translate(-0.12, 0, 2.45))
+add(doughnut:scale(0.74):translate(-0.12, 0, 2.25))
 
 -- A present, with a ribbon.
 local present = gr.node("present")

@@ -1,5 +1,5 @@
 -- Three blobs hop on a drum each: a film of 48 frames, two seconds that can be played in a loop.
---   raytracer scenes/bounce.lua --frames 0..47 -s 640x360 -o film/
+--   mkdir -p film && raytracer scenes/bounce.lua --frames 0..47 -o film/
 --   ffmpeg -framerate 24 -i film/bounce_%04d.png -pix_fmt yuv420p bounce.mp4
 local frames = 48
 local now = frame or 10   -- the global `frame` is set by --frames and --frame; else one of the hop
