@@ -1,5 +1,5 @@
 /// Does an error target mean what it says? Renders scenes at several targets and compares with
-/// references of many samples: bench/calibration/README.md.
+/// references of many samples; bench/charting/calibration.py makes tables and a chart of it.
 ///
 ///   calibrate [-r SAMPLES] [-s WxH] [-c CACHE_FOLDER] [-e E]... SCENE.lua...     CSV on stdout
 #include <fmt/format.h>
@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "rt/io/obj.h"
+#include "rt/io/texture.h"
 #include "rt/lua/script.h"
 #include "rt/math/srgb.h"
 #include "rt/render/plan.h"
@@ -33,12 +34,16 @@ struct Settings {
 
 RenderJob first_job(const std::filesystem::path& script) {
   std::optional<RenderJob> job;
-  const lua::Host host{[&](RenderJob j) {
-                         if (!job) {
-                           job = std::move(j);
-                         }
-                       },
-                       io::load_obj, [](const std::string&) {}};
+  const lua::Host host{
+      .render =
+          [&](RenderJob j) {
+            if (!job) {
+              job = std::move(j);
+            }
+          },
+      .load_mesh = io::load_obj,
+      .open_texture = [](const std::filesystem::path& file) { return io::open_texture(file); },
+      .warn = [](const std::string&) {}};
   lua::run_script(script, {}, host);
   return std::move(*job);
 }

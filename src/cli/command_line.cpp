@@ -141,6 +141,9 @@ void declare(CLI::App& app, CommandLine& line, Raw& raw) {
       ->type_name("LIST");
   app.add_option("--stats", line.stats, "write times, rays and memory as JSON")
       ->type_name("FILE.json");
+  app.add_option("--report", line.report,
+                 "write a page with the picture, maps of its error and samples, times and plan")
+      ->type_name("FILE.html");
   app.add_flag("--explain", line.explain,
                "say what the scene needs and what was chosen for it; no picture is made");
   app.add_flag("--resume", line.resume,

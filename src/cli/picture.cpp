@@ -68,6 +68,10 @@ void Session::picture(RenderJob job) {
   report.statistics = result.statistics;
   const std::vector<std::string> warnings = scene_warnings(job, plan, result.film);
   report.reached = result.reached;
+  if (page_.wanted()) {
+    page_.picture(explain(plan, thread_count()), result);
+    watch_.lap();  // no phase of the rendering
+  }
   const Saved saved = write(report, std::move(result.film), {});
   report.phases.write = watch_.lap();
   std::ranges::for_each(warnings, warn);
@@ -76,6 +80,7 @@ void Session::picture(RenderJob job) {
     throw *misplaced_;
   }
   tell(report);
+  page_.finish(report);
   keeper_.finished();
   reports_.push_back(std::move(report));
 }

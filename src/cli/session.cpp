@@ -71,6 +71,7 @@ void Session::run() {
   if (!line_.stats.empty()) {
     write_stats(line_.stats, line_.scene, thread_count(), io::texture_statistics(), reports_);
   }
+  page_.write(line_.scene);
   keeper_.end();
 }
 

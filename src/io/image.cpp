@@ -89,6 +89,37 @@ const char* reader_of(const std::filesystem::path& path) {
       fmt::format("cannot read {}: it is no PNG, BMP, EXR, JPEG or TGA picture", path.string()));
 }
 
+/// Into memory first: OpenImageIO's writers do not all notice a disk that is full.
+std::vector<unsigned char> encoded(const std::string& what, const Format& format,
+                                   const Image& image, Encoding encoding,
+                                   const std::map<std::string, std::string>& metadata) {
+  const auto values = static_cast<std::size_t>(std::max(image.width, 0)) *
+                      static_cast<std::size_t>(std::max(image.height, 0)) * 3;
+  if (values == 0 || image.pixels.size() != values) {
+    throw std::invalid_argument("an image without pixels, or of another size");
+  }
+  check_size(what, format, image.width, image.height);
+  EncodeRequest request{.format = format.name,
+                        .width = image.width,
+                        .height = image.height,
+                        .pixels = image.pixels.data(),
+                        .is_float = format.extension == ".exr",
+                        .is_srgb = false,
+                        .metadata = &metadata};
+  std::vector<std::uint8_t> codes;
+  if (!request.is_float) {
+    codes = encode8(image, encoding);
+    request.pixels = codes.data();
+    request.is_srgb = encoding == Encoding::srgb;
+  }
+  std::vector<unsigned char> file;
+  const std::string reason = oiio().encode(request, file);
+  if (!reason.empty()) {
+    throw FileError(fmt::format("cannot write {}: {}; try another format", what, reason));
+  }
+  return file;
+}
+
 }  // namespace
 
 void preload() { begin_loading_oiio(); }
@@ -112,33 +143,11 @@ void check_output(const std::filesystem::path& path, int width, int height) {
 
 void write_image(const std::filesystem::path& path, const Image& image, Encoding encoding,
                  const std::map<std::string, std::string>& metadata) {
-  const auto values = static_cast<std::size_t>(std::max(image.width, 0)) *
-                      static_cast<std::size_t>(std::max(image.height, 0)) * 3;
-  if (values == 0 || image.pixels.size() != values) {
-    throw std::invalid_argument("write_image: an image without pixels, or of another size");
-  }
-  const Format& format = output_format(path);
-  check_size(path, format, image.width, image.height);
-  EncodeRequest request{.format = format.name,
-                        .width = image.width,
-                        .height = image.height,
-                        .pixels = image.pixels.data(),
-                        .is_float = format.extension == ".exr",
-                        .is_srgb = false,
-                        .metadata = &metadata};
-  std::vector<std::uint8_t> codes;
-  if (!request.is_float) {
-    codes = encode8(image, encoding);
-    request.pixels = codes.data();
-    request.is_srgb = encoding == Encoding::srgb;
-  }
-  // Into memory first: OpenImageIO's writers do not all notice a disk that is full.
-  std::vector<unsigned char> file;
-  const std::string reason = oiio().encode(request, file);
-  if (!reason.empty()) {
-    throw FileError(fmt::format("cannot write {}: {}; try another format", path.string(), reason));
-  }
-  write_whole_file(path, file);
+  write_whole_file(path, encoded(path.string(), output_format(path), image, encoding, metadata));
+}
+
+std::vector<unsigned char> encode_png(const Image& image, Encoding encoding) {
+  return encoded("a PNG picture", kFormats.front(), image, encoding, {});
 }
 
 Image read_image(const std::filesystem::path& path) {

@@ -28,6 +28,7 @@ struct CommandLine {
   std::vector<std::pair<const OptionSpec*, OptionValue>>
       settings;  ///< in order, on top of the script's
   std::filesystem::path stats;
+  std::filesystem::path report;
   bool explain = false;  ///< say what would be done, and render nothing
   bool resume = false;
   double checkpoint_every = 0.0;          ///< seconds; 0: only when interrupted

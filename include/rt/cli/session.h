@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rt/cli/command_line.h"
+#include "rt/cli/html_report.h"
 #include "rt/cli/keeper.h"
 #include "rt/cli/report.h"
 #include "rt/render/rendering.h"
@@ -30,7 +31,7 @@ class Stopwatch {
 /// Renders the pictures of one script.
 class Session {
  public:
-  explicit Session(const CommandLine& line) : line_(line), keeper_(line) {}
+  explicit Session(const CommandLine& line) : line_(line), keeper_(line), page_(line.report) {}
 
   /// Throws UserError; with ExitCode::interrupted its text says what was saved where.
   void run();
@@ -54,6 +55,7 @@ class Session {
 
   const CommandLine& line_;
   Keeper keeper_;
+  HtmlReport page_;
   Stopwatch watch_;
   std::vector<PictureReport> reports_;
   std::size_t pictures_ = 0;            ///< that the script asked for

@@ -35,6 +35,9 @@ void check_output(const std::filesystem::path& path, int width = 0, int height =
 void write_image(const std::filesystem::path& path, const Image& image, Encoding encoding,
                  const std::map<std::string, std::string>& metadata);
 
+/// A picture as the bytes of a PNG file, without metadata.
+std::vector<unsigned char> encode_png(const Image& image, Encoding encoding);
+
 /// Reads a picture in one of these formats, recognised by what it holds, as stored values in 0..1
 /// (8-bit) or float (EXR), without any decoding of sRGB. Grey becomes three equal channels; alpha
 /// is dropped. Throws FileError.

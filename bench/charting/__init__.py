@@ -1,0 +1,1 @@
+"""What bench/charts and tools/chart are made of."""

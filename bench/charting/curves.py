@@ -1,0 +1,91 @@
+"""Error against time of many settings: what the charts of antialiasing and of soft shadows share."""
+import math
+
+from . import pictures, style, tables
+
+
+def own_case(context, scene, options, label, size, truth):
+    picture = truth[0]
+
+    def case():
+        run = context.programs.raytracer(scene, "-s", f"{size[0]}x{size[1]}", "--filter", "box",
+                                         *options)
+        return {"series": label, "setting": " ".join(options), "time": run.trace,
+                "rmse": pictures.rmse(run.picture, picture),
+                "difference": pictures.mean_difference(run.picture, picture),
+                "rays": run.stats["rays"]["total"], "reference_error": truth[1]}
+    return case
+
+
+def pov_case(context, scene, options, label, size, truth):
+    def case():
+        run = context.programs.povray(scene, size, *options)
+        return {"series": label, "setting": " ".join(options), "time": run.trace,
+                "rmse": pictures.rmse(run.picture, truth[0]),
+                "difference": pictures.mean_difference(run.picture, truth[0]),
+                "rays": run.stats["rays"], "reference_error": truth[1]}
+    return case
+
+
+def own_truth(context, scene, size, samples):
+    """Two references of other seeds than any picture's, and their mean."""
+    def make(seed):
+        return lambda: context.programs.raytracer(
+            scene, "-s", f"{size[0]}x{size[1]}", "--filter", "box", "--samples", str(samples),
+            "--seed", str(seed), "--max-error", "1e-4", threads=context.threads).picture
+    return context.programs.reference(("own", str(scene), scene.read_text(), size, samples,
+                                       context.version), make(12345), make(54321))
+
+
+def pov_truth(context, scene, size, options):
+    text = (context.programs.peers / f"{scene}.pov").read_text()
+    return context.programs.reference(
+        ("povray", text, size, options),
+        lambda: context.programs.povray(scene, size, *options).picture)
+
+
+def measured(context, cases):
+    rows = tables.alternated(cases, context.runs, "time")
+    # Processor times of POV-Ray come in hundredths of a second.
+    return [row for row in rows if row["time"] > 0]
+
+
+def slope(rows, x="time", y="rmse"):
+    """Of the least squares line in logarithms."""
+    points = [(math.log(r[x]), math.log(r[y])) for r in rows if r[x] > 0 and r[y] > 0]
+    if len(points) < 3:
+        return math.nan
+    mean_x, mean_y = (sum(p[k] for p in points) / len(points) for k in (0, 1))
+    return (sum((p - mean_x) * (q - mean_y) for p, q in points) /
+            sum((p - mean_x) ** 2 for p, _ in points))
+
+
+def series(rows, name="series"):
+    """The rows by series, in the order in which they come."""
+    found = {}
+    for row in rows:
+        found.setdefault(row[name], []).append(row)
+    return found
+
+
+def draw(axes, rows, title, slopes=False):
+    for index, (name, points) in enumerate(series(rows).items()):
+        own = not name.startswith("POV")
+        label = name
+        if slopes and not math.isnan(slope(points)):
+            label += f" (slope {slope(points):.2f})"
+        style.line(axes, points, "time", "rmse", label, index, dash="-" if own else "--")
+    for row in rows:
+        if row["series"] == "adaptive" and str(row["setting"]).endswith("--max-error 0.02"):
+            axes.annotate("default", (row["time"], row["rmse"]), (0, -22), fontsize=8,
+                          textcoords="offset points", ha="center",
+                          arrowprops={"arrowstyle": "-", "color": style.GREY})
+    style.log_log(axes, "processor time of tracing, s", "linear RMSE", title)
+    axes.legend(fontsize=7.5)
+
+
+def floor(rows):
+    """What the references' own errors are, in words."""
+    own = max((r["reference_error"] for r in rows if isinstance(r["reference_error"], float)
+               and not math.isnan(r["reference_error"])), default=math.nan)
+    return f"Each against its own converged reference (ours: error {own:.1e})."

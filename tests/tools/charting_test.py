@@ -1,0 +1,79 @@
+#!/usr/bin/python3
+"""The arithmetic behind the charts."""
+import importlib.machinery
+import importlib.util
+import math
+import pathlib
+import sys
+import unittest
+
+try:
+    import numpy as np
+    import matplotlib  # noqa: F401
+except ModuleNotFoundError as missing:
+    print(f"SKIPPED: Debian's Python has no {missing.name}; ./bootstrap --charts installs it")
+    sys.exit(77)
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(ROOT / "bench"))
+from charting import curves, pictures, tables, torus  # noqa: E402
+
+loader = importlib.machinery.SourceFileLoader("chart_tool", str(ROOT / "tools/chart"))
+tool = importlib.util.module_from_spec(importlib.util.spec_from_loader("chart_tool", loader))
+loader.exec_module(tool)
+
+# Of table 1 of Sharma, Wu and Dalal 2005: pairs on which implementations have gone wrong.
+SHARMA = [((50, 2.6772, -79.7751), (50, 0, -82.7485), 2.0425),
+          ((50, 3.1571, -77.2803), (50, 0, -82.7485), 2.8615),
+          ((50, 0, 0), (50, -1, 2), 2.3669),
+          ((50, 2.49, -0.001), (50, -2.49, 0.0009), 7.1792),
+          ((50, 2.5, 0), (73, 25, -18), 27.1492),
+          ((50, 2.5, 0), (61, -5, 29), 22.8977),
+          ((60.2574, -34.0099, 36.2677), (60.4626, -34.1751, 39.4387), 1.2644),
+          ((90.8027, -2.0831, 1.4410), (91.1528, -1.6435, 0.0447), 1.4441),
+          ((2.0776, 0.0795, -1.1350), (0.9033, -0.0636, -0.5514), 0.9082)]
+
+
+class Charting(unittest.TestCase):
+    def test_ciede2000_of_published_pairs(self):
+        for a, b, difference in SHARMA:
+            for one, other in ((a, b), (b, a)):
+                found = pictures.ciede2000(np.array(one, float), np.array(other, float))
+                self.assertAlmostEqual(float(found), difference, 4)
+
+    def test_lab_of_known_colours(self):
+        # White is the reference white; red as in any table of sRGB's primaries.
+        np.testing.assert_allclose(pictures.lab(np.array([1.0, 1, 1])), [100, 0, 0], atol=1e-9)
+        np.testing.assert_allclose(pictures.lab(np.array([1.0, 0, 0])), [53.24, 80.09, 67.20],
+                                   atol=0.02)
+
+    def test_rmse_clamps_what_cannot_be_displayed(self):
+        self.assertEqual(pictures.rmse(np.array([1.0, 5.0]), np.array([1.0, 9.0])), 0)
+        self.assertAlmostEqual(pictures.rmse(np.array([0.0, 0.3]), np.array([0.0, 0.7])),
+                               0.4 / math.sqrt(2))
+
+    def test_slope_of_a_power(self):
+        rows = [{"time": t, "rmse": 3 * t ** -0.75} for t in (1, 2, 7, 30)]
+        self.assertAlmostEqual(curves.slope(rows), -0.75)
+
+    def test_pareto_front_keeps_what_nothing_beats(self):
+        rows = [{"time": t, "rmse": e} for t, e in ((3, 1), (1, 5), (2, 6), (2, 2), (4, 1))]
+        self.assertEqual([(r["time"], r["rmse"]) for r in tool.pareto(rows, "rmse")],
+                         [(1, 5), (2, 2), (3, 1)])
+
+    def test_medians_and_spread(self):
+        row = tables.median_row([{"s": "a", "time": t} for t in (5, 1, 2)], "time")
+        self.assertEqual(row, {"s": "a", "time": 2, "time_min": 1, "time_max": 5, "runs": 3})
+
+    def test_tables_of_the_stability_bench(self):
+        text = ("## Torus\n\n| ns per ray | ours | theirs |\n| --- | --- | --- |\n| far | 9 | 8 |\n\n"
+                "| missed per million | ours | theirs |\n| --- | --- | --- |\n"
+                "| far | 0 | 20 (1.1e+05) |\n\n## Every shape\n\n| ns per ray | x |\n| far | 1 |\n")
+        ours, theirs = torus.parsed(text)
+        self.assertEqual((ours["ns"], ours["missed"]), (9, 0))
+        self.assertEqual((theirs["missed"], theirs["missed_below_resolution"]), (20, 1.1e5))
+
+
+if __name__ == "__main__":
+    unittest.main()
