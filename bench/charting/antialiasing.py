@@ -30,7 +30,7 @@ def measure(context):
                                    [label.split()[1], "-J", "+A0.0", finest[not context.quick]])
             for setting in settings[:1] if context.quick else settings:
                 cases.append(curves.pov_case(context, "S1", [*setting.split(), "-J"], label, size,
-                                             pov))
+                                             pov, truth))
     return {NAME: curves.measured(context, cases)}
 
 

@@ -22,7 +22,7 @@ def instructions(context, scene, *words):
         ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}",
          "--toggle-collect=rt::planned_and_traced*", context.build / "render_only", scene, size,
          "samples=4", *words], check=True, capture_output=True, text=True)
-    return int(re.search(r"Collected : (\d+)", done.stderr).group(1)), done.stdout.strip()
+    return int(re.search(r"Collected : (\d+)", done.stderr).group(1)), done.stdout.split()[0]
 
 
 def measure(context):

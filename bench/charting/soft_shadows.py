@@ -33,7 +33,8 @@ def measure(context):
         pov = curves.pov_truth(context, "S5", size, best)
         for label, settings in POV.items():
             for setting in settings[:1] if context.quick else settings:
-                cases.append(curves.pov_case(context, "S5", setting, label, size, pov))
+                cases.append(curves.pov_case(context, "S5", setting, label, size, pov,
+                                             truth))
     return {NAME: curves.measured(context, cases)}
 
 

@@ -92,7 +92,8 @@ def draw(data):
     return figure, ("Processor time of tracing, start-up left out; one thread, programs in turns, "
                     f"medians of {data[NAME][0]['runs']:.0f} runs, whiskers: all pairs of runs. "
                     "Tachyon has no tori and no glass, "
-                    "and samples half a pixel off. Figures: bench/results/speed.md")
+                    "and samples half a pixel off; S4's checker is filtered "
+                    "by this program only. Figures: bench/results/speed.md")
 
 
 def line_of(scene, name, row, ratio, rays):
@@ -110,7 +111,8 @@ def report(data, heading):
              "processor time of tracing by each program's own statistics (Tachyon states wall time; "
              "where the process took less processor time than that, the latter). Differing: pixels "
              "more than 2/255 (linear) away from ours; Tachyon samples half a pixel off, so that "
-             "edges and small things differ though the scene is the same.", "",
+             "edges and small things differ though the scene is the same; in S4 our checker is "
+             "filtered over the pixel, POV-Ray's is not.", "",
              "| scene | program | trace, s | peer / ours | M rays/s | whole process, user s | memory, MB "
              "| differing |", "|---|---|---|---|---|---|---|---|"]
     ratios = {"povray": [], "tachyon": []}

@@ -1,12 +1,15 @@
 /// Renders a script's first picture on this thread and throws it away, so that what tracing costs
 /// can be counted without the libraries that write pictures:
 ///
-///   render_only SCENE.lua WIDTHxHEIGHT [OPTION=VALUE]... [FEATURE=off]...
+///   render_only SCENE.lua WIDTHxHEIGHT [OPTION=VALUE]... [FEATURE=off]... [-- ARGUMENT...]
 ///
-/// A digest of the pixels on stdout says whether two ways of rendering gave the same picture.
+/// On stdout a digest of the pixels, which says whether two ways of rendering gave the same
+/// picture; processor seconds of compiling the scene and of tracing; the number of rays.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <stdexcept>
 #include <string>
 
@@ -18,7 +21,7 @@
 namespace rt {
 namespace {
 
-RenderJob first_job(const char* script) {
+RenderJob first_job(const char* script, const std::vector<std::string>& arguments) {
   std::optional<RenderJob> job;
   const lua::Host host{.render =
                            [&](RenderJob j) {
@@ -27,7 +30,7 @@ RenderJob first_job(const char* script) {
                              }
                            },
                        .warn = [](const std::string&) {}};
-  lua::run_script(script, {}, host);
+  lua::run_script(script, arguments, host);
   return std::move(*job);
 }
 
@@ -53,19 +56,28 @@ std::uint64_t digest(const std::vector<float>& pixels) {
 }  // namespace
 
 /// What is counted; outside the unnamed namespace, so that a profiler finds its name.
-[[gnu::noinline]] RenderResult planned_and_traced(const RenderJob& job) {
+[[gnu::noinline]] RenderResult planned_and_traced(const RenderJob& job, std::clock_t& planned) {
   const RenderPlan plan = make_plan(job);
+  planned = std::clock();
   return render(plan, {0, 0, job.options.width, job.options.height}, {});
 }
 
 }  // namespace rt
 
 int main(int argc, char** argv) {
-  rt::RenderJob job = rt::first_job(argv[1]);
+  const std::vector<std::string> words(argv + 3, argv + argc);
+  const auto split = std::find(words.begin(), words.end(), "--");
+  rt::RenderJob job =
+      rt::first_job(argv[1], {split == words.end() ? split : split + 1, words.end()});
   rt::parse_size(argv[2], job.options.width, job.options.height);
-  for (int i = 3; i < argc; ++i) {
-    rt::set(job.options, argv[i]);
-  }
-  rt::with_threads(
-      1, [&] { fmt::print("{:016x}\n", rt::digest(rt::planned_and_traced(job).film.pixels)); });
+  std::for_each(words.begin(), split, [&](const auto& word) { rt::set(job.options, word); });
+  rt::with_threads(1, [&] {
+    const std::clock_t start = std::clock();
+    std::clock_t planned = start;
+    const rt::RenderResult result = rt::planned_and_traced(job, planned);
+    const std::clock_t end = std::clock();
+    fmt::print("{:016x} {:.6f} {:.6f} {}\n", rt::digest(result.film.pixels),
+               static_cast<double>(planned - start) / CLOCKS_PER_SEC,
+               static_cast<double>(end - planned) / CLOCKS_PER_SEC, result.statistics.rays.total());
+  });
 }
