@@ -12,6 +12,10 @@
 ---@class gr.Node
 local Node = {}
 
+---The frame of an animation (--frames, --frame), else nil.
+---@type integer?
+frame = nil
+
 gr = {}
 
 ---A node without a shape, to group others.

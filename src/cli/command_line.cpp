@@ -66,7 +66,7 @@ Crop parse_crop(const std::string& text) {
 
 /// Everything CLI11 fills in before it is checked.
 struct Raw {
-  std::string scene, size, crop, progress = "auto", order = "pre";
+  std::string scene, size, crop, frame, frames, progress = "auto", order = "pre";
   std::size_t script_memory = 0;  // MB; 0: not given
   std::vector<std::string> disabled;
   std::vector<std::string> values = std::vector<std::string>(option_specs().size());
@@ -120,6 +120,11 @@ void declare(CLI::App& app, CommandLine& line, Raw& raw) {
   app.add_option("-s,--size", raw.size, "size of the picture, instead of the script's")
       ->type_name("WxH");
   app.add_option("--crop", raw.crop, "render this part only")->type_name("X,Y,W,H");
+  CLI::Option* frames =
+      app.add_option("--frames", raw.frames,
+                     "run the script for each frame, its number in the global frame")
+          ->type_name("FIRST..LAST");
+  app.add_option("--frame", raw.frame, "one frame of these")->type_name("N")->excludes(frames);
   app.add_option("-t,--threads", line.threads, "threads (default: one a processor)")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
@@ -219,6 +224,11 @@ void interpret(CommandLine& line, const Raw& raw) {
   }
   if (!raw.crop.empty()) {
     line.crop = parse_crop(raw.crop);
+  }
+  if (!raw.frame.empty()) {
+    line.frames = parse_frame(raw.frame);
+  } else if (!raw.frames.empty()) {
+    line.frames = parse_frames(raw.frames);
   }
   line.progress = raw.progress == "plain"  ? ProgressStyle::plain
                   : raw.progress == "json" ? ProgressStyle::json

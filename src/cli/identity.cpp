@@ -120,9 +120,12 @@ Facts facts_of_run(const CommandLine& line) {
     arguments += fmt::format("{}'{}'", arguments.empty() ? "" : " ", argument);
   }
   const bool post = line.script.order == TransformOrder::post;
+  const std::string frames =
+      line.frames ? fmt::format("{}..{}", line.frames->first, line.frames->last) : "not given";
   return {{"the program's version", RT_VERSION},
           {"the program's build", shown(digest_of_file("/proc/self/exe"))},
           {"what follows --", arguments.empty() ? "nothing" : arguments},
+          {"--frames", frames},
           {"--transform-order", post ? "post" : "pre"},
           {"--lenient", line.script.lenient ? "given" : "not given"},
           {"--trust", line.script.trust ? "given" : "not given"}};

@@ -15,6 +15,17 @@
 
 namespace rt::cli {
 
+/// Where the next picture goes, numbered where it is one of an animation.
+std::filesystem::path Session::place_of(const std::filesystem::path& by_script) const {
+  const std::filesystem::path& by_user = line_.output;
+  if (!frame_) {
+    return output_path(by_script, by_user, of_frame_, line_.script.trust);
+  }
+  const bool named = by_user.has_filename() && !std::filesystem::is_directory(by_user);
+  return output_path(frame_path(by_script, *frame_), named ? frame_path(by_user, *frame_) : by_user,
+                     of_frame_, line_.script.trust);
+}
+
 void Session::picture(RenderJob job) {
   const Busy busy;
   PictureReport report;
@@ -26,7 +37,7 @@ void Session::picture(RenderJob job) {
     fmt::print("{}", explain(make_plan(job), thread_count()));
     return;
   }
-  const auto path = output_path(job.output, line_.output, pictures_, line_.script.trust);
+  const auto path = place_of(job.output);
   io::check_output(path);
   report.picture = path.string();
   report.options = job.options;
@@ -34,6 +45,7 @@ void Session::picture(RenderJob job) {
     throw UserError(ExitCode::interrupted, "interrupted");
   }
   ++pictures_;
+  ++of_frame_;
   if (keeper_.begin(path, job.options, report.crop)) {
     if (!line_.quiet) {
       say(fmt::format("{}: was finished before", report.picture));

@@ -47,7 +47,7 @@ std::filesystem::path shipped_textures() {
 
 void Session::run() {
   try {
-    run_script();
+    run_scripts();
   } catch (const UserError& error) {
     if (error.code() != ExitCode::interrupted) {
       throw;
@@ -75,7 +75,19 @@ void Session::run() {
   keeper_.end();
 }
 
-void Session::run_script() {
+void Session::run_scripts() {
+  if (!line_.frames) {
+    run_script({});
+    return;
+  }
+  for (int frame = line_.frames->first; frame <= line_.frames->last; ++frame) {
+    run_script(frame);
+  }
+}
+
+void Session::run_script(std::optional<int> frame) {
+  frame_ = frame;
+  of_frame_ = 0;
   const auto render = [this](RenderJob job) {
     with_threads(line_.threads, [&] { picture(std::move(job)); });
   };
@@ -91,6 +103,7 @@ void Session::run_script() {
   const lua::Host host{render, load_mesh, open_texture, warn, reads};
   lua::Settings settings = line_.script;
   settings.shipped_textures = shipped_textures();
+  settings.frame = frame;
   lua::run_script(line_.scene, line_.arguments, host, settings);
 }
 

@@ -71,6 +71,8 @@ std::string editor_annotations() {
       "---@alias gr.Colour number|number[]\n\n"
       "---@class gr.Material\n---@class gr.Light\n---@class gr.Texture\n\n"
       "---@class gr.Node\nlocal Node = {}\n\n"
+      "---The frame of an animation (--frames, --frame), else nil.\n"
+      "---@type integer?\nframe = nil\n\n"
       "gr = {}\n";
   for (const Binding& binding : bindings()) {
     text += annotation(binding);
@@ -85,7 +87,12 @@ std::string reference_page() {
       "grey. What they mean: [scripting.md](scripting.md).\n";
   add_section(page, "Functions", [](const Binding& b) { return b.is_gr(); });
   add_section(page, "Methods of nodes", [](const Binding& b) { return b.is_method(); });
-  add_section(page, "Modules", [](const Binding& b) { return !b.is_gr() && !b.is_method(); });
+  add_section(page, "Modules and globals",
+              [](const Binding& b) { return !b.is_gr() && !b.is_method(); });
+  page +=
+      "\n**`frame`** The number of the frame with `--frames FIRST..LAST` or `--frame N`, else "
+      "nil.\n\n"
+      "    frame: integer or nil\n    ball:translate(0.1 * (frame or 0), 0, 0)\n";
   page += "\n## Options of gr.render\n\n| option | meaning |\n|---|---|\n";
   for (const OptionSpec& spec : option_specs()) {
     if (spec.in_script) {

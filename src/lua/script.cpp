@@ -65,6 +65,10 @@ int run_program(lua_State* L) {
   open_compat(L);
   open_bindings(L);
   set_arg(L, program);
+  if (run.settings.frame) {
+    lua_pushinteger(L, *run.settings.frame);
+    lua_setglobal(L, "frame");
+  }
   if (load_text(L, program.source, program.name) != LUA_OK) {
     return lua_error(L);
   }

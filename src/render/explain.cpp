@@ -185,21 +185,34 @@ std::string left_out(const RenderPlan& plan, const Counts& c) {
   return none.empty() ? std::string() : "Left out, and costing nothing: " + joined(none) + "\n";
 }
 
-/// Rays a sample and seconds a sample, from samples spread over the picture.
-std::pair<double, double> probed(const RenderPlan& plan) {
-  PixelSampler sampler(plan);
-  RenderStatistics statistics;
-  const auto begin = std::chrono::steady_clock::now();
+void probe(PixelSampler& sampler, RenderStatistics& statistics) {
+  const RenderOptions& o = sampler.plan().options;
   for (int j = 0; j < probes; ++j) {
     for (int i = 0; i < probes; ++i) {
-      const int x = (2 * i + 1) * plan.options.width / (2 * probes);
-      const int y = (2 * j + 1) * plan.options.height / (2 * probes);
-      sampler.take(x, y, Sampler(plan.options.seed, x, y, 0), statistics);
+      const int x = (2 * i + 1) * o.width / (2 * probes);
+      const int y = (2 * j + 1) * o.height / (2 * probes);
+      sampler.take(x, y, Sampler(o.seed, x, y, 0), statistics);
     }
   }
+}
+
+/// Rays a sample and seconds a sample, from samples spread over the picture. A first round fills
+/// the caches; the second is timed.
+std::pair<double, double> probed(const RenderPlan& plan) {
+  PixelSampler sampler(plan);
+  RenderStatistics first;
+  probe(sampler, first);
+  RenderStatistics statistics;
+  const auto begin = std::chrono::steady_clock::now();
+  probe(sampler, statistics);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
   const double n = std::max(1.0, static_cast<double>(statistics.samples));
   return {static_cast<double>(statistics.rays.total()) / n, spent.count() / n};
+}
+
+/// Two significant digits, without an exponent.
+std::string rough(double x) {
+  return x >= 10.0 ? fmt::format("{:.0f}", x) : fmt::format("{:.2g}", x);
 }
 
 std::string cost(const RenderPlan& plan, int threads) {
@@ -209,10 +222,10 @@ std::string cost(const RenderPlan& plan, int threads) {
   const double least = fixed > 0 ? fixed : 4;
   const double picture = least * o.width * o.height * seconds / threads;
   std::string text = fmt::format(
-      "To expect: {:.1f} rays and {:.2g} microseconds a sample, measured on {} of them; {}{:.2g} s "
+      "To expect: {:.1f} rays and {} microseconds a sample, measured on {} of them; {}{} s "
       "on {}",
-      rays, 1e6 * seconds, probes * probes, fixed > 0 ? "about " : "at least ", picture,
-      counted(static_cast<std::size_t>(threads), "thread"));
+      rays, rough(1e6 * seconds), probes * probes, fixed > 0 ? "about " : "at least ",
+      rough(picture), counted(static_cast<std::size_t>(threads), "thread"));
   if (fixed == 0) {
     text += ", more where edges, blur and soft light need more samples";
   }

@@ -70,5 +70,29 @@ TEST_F(TextureFiles, KeepToTheSizeThatTheUserAllows) {
   EXPECT_EQ(textured("gr.texture('brick.jpg')", "--max-texture-size 0").exit_code, 2);
 }
 
+// The texture system keeps tiles of several threads in one cache and throws some away: lookups must
+// not depend on which.
+TEST_F(TextureFiles, GiveTheSamePictureForAnyNumberOfThreads) {
+  write("scene.lua", R"(
+local root = gr.node("root")
+local function add(shape, texture)
+  root:add_child(shape:set_material(gr.material(1, 0, 1)):set_texture(texture))
+end
+add(gr.plane("floor"), gr.texture("grid.png", {0.5, 0.5}))
+add(gr.nh_sphere("ball", {-1, 1, 0}, 1), gr.texture("brick.jpg", {4, 2}))
+add(gr.torus("ring", 0.7, 0.3):translate(1.3, 0.4, 0.5), gr.texture("marble.jpg"))
+root:add_child(gr.nh_sphere("mirror", {1.2, 1.4, -1.5}, 1):set_material(
+  gr.material{kd = 0.1, reflectivity = 0.8}))
+gr.render{scene = root, file = "picture.png", size = {160, 120}, ambient = 0.4, samples = 4,
+          camera = {eye = {0, 2, 7}, look_at = {0, 0.8, 0}, fov = 35},
+          lights = {gr.light{position = {-3, 6, 5}, colour = 0.7}}}
+)");
+  for (const char* options : {"-t 1 -o one.png", "-t 8 -o eight.png --texture-memory 16"}) {
+    const Outcome o = run(std::string("scene.lua -q ") + options);
+    EXPECT_EQ(o.exit_code, 0) << o.err;
+  }
+  EXPECT_TRUE(same_file(folder_ / "one.png", folder_ / "eight.png"));
+}
+
 }  // namespace
 }  // namespace rt::test

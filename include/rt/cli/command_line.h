@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "rt/cli/frames.h"
 #include "rt/io/texture.h"
 #include "rt/lua/script.h"
 #include "rt/render/film.h"
@@ -22,7 +23,8 @@ struct CommandLine {
   std::filesystem::path output;        ///< empty: as the script says
   std::optional<std::pair<int, int>> size;
   std::optional<Crop> crop;
-  int threads = 0;  ///< 0: one a processor
+  std::optional<Frames> frames;  ///< empty: one run of the script, without a global `frame`
+  int threads = 0;               ///< 0: one a processor
   std::vector<std::pair<const OptionSpec*, OptionValue>>
       settings;  ///< in order, on top of the script's
   std::filesystem::path stats;

@@ -37,7 +37,9 @@ class Session {
   void run();
 
  private:
-  void run_script();
+  void run_scripts();
+  void run_script(std::optional<int> frame);
+  std::filesystem::path place_of(const std::filesystem::path& by_script) const;
   int thread_count() const;
   void override_options(RenderOptions& options) const;
   Crop crop_of(const RenderOptions& options) const;
@@ -57,6 +59,8 @@ class Session {
   Stopwatch watch_;
   std::vector<PictureReport> reports_;
   std::size_t pictures_ = 0;            ///< that the script asked for
+  std::optional<int> frame_;            ///< of which it is asking now
+  std::size_t of_frame_ = 0;            ///< pictures that it asked for in this run
   std::optional<FileError> misplaced_;  ///< a picture could not be written where it should be
   std::string saved_;                   ///< what an interruption saved
 };

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,8 @@ struct Settings {
   std::filesystem::path shipped_textures;
   /// Calls of what does not exist are skipped with a warning.
   bool lenient = false;
+  /// In the global `frame`; empty: there is none.
+  std::optional<int> frame;
   TransformOrder order = TransformOrder::pre;
   /// Reports hold Lua's traceback.
   bool verbose = false;
