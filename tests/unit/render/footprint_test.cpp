@@ -174,7 +174,11 @@ TEST(Footprint, IsAPixelOverTheRootOfTheSamples) {
   o.samples = 64;
   EXPECT_EQ(sample_spacing(o), 0.125);
   o.samples = 0;  // adaptive: of its pilots
+  o.max_error = 0.6;
   EXPECT_EQ(sample_spacing(o), 0.5);
+  o.max_error = 0.0054;  // less where their blur would be a third of the error asked for
+  EXPECT_NEAR(sample_spacing(o), 0.1, 1e-15);
+  o.max_error = 0.6;
   o.max_samples = 1;
   EXPECT_EQ(sample_spacing(o), 1.0);
   o.aa = AntiAliasing::uniform;
