@@ -11,7 +11,7 @@ inline std::string number(std::uint64_t value, int bytes, bool big) {
   std::string text;
   for (int i = 0; i < bytes; ++i) {
     const int shift = 8 * (big ? bytes - 1 - i : i);
-    text.push_back(static_cast<char>(value >> shift & 0xff));
+    text.push_back(shift < 64 ? static_cast<char>(value >> shift & 0xff) : '\0');
   }
   return text;
 }
