@@ -1,6 +1,6 @@
 #include "rt/render/packet/packet_tracer.h"
 
-#include "rt/math/fresnel.h"
+#include "rt/math/wide_functions.h"
 #include "rt/render/medium.h"
 #include "rt/render/packet/packet_query.h"
 #include "rt/render/surface_texture.h"
@@ -45,12 +45,12 @@ PacketTracer::PacketTracer(const RenderPlan& plan)
     : plan_(plan), negligible_(negligible_branch(plan.options)), shadow_cache_(plan) {}
 
 Wide3 PacketTracer::radiance(Packet camera, const Wide& y,
-                             const std::array<Sampler, lanes>& samplers, RayCounts& counts,
+                             const WideSampler& sampler, RayCounts& counts,
                              const Candidates& sight) {
   sum_ = Wide3(Wide(0.0));
   y_ = y;
   sight_ = sight;
-  samplers_ = samplers.data();
+  sampler_ = &sampler;
   counts_ = &counts;
   counts.camera += static_cast<unsigned>(std::popcount(camera.active));
   camera.ray.direction = camera.ray.direction * (1.0 / length(camera.ray.direction));
@@ -141,7 +141,7 @@ Wide3 PacketTracer::surface(const Scatter& at) {
   const auto lights = static_cast<std::uint32_t>(plan_.lights.size());
   for (std::uint32_t i = 0; i < lights; ++i) {
     const Vertex vertex{at.path.vertex.order, at.path.vertex.copy * lights + i};
-    sum += direct_light(plan_, i, phong, at.point, at.bits, -at.direction(), samplers_, vertex,
+    sum += direct_light(plan_, i, phong, at.point, at.bits, -at.direction(), *sampler_, vertex,
                         negligible, shadow_cache_, *counts_);
   }
   return sum;
@@ -181,7 +181,7 @@ void PacketTracer::divide(Scatter& at, const Wide& reflected, const Wide& transm
     at.chosen = true;
     unsigned mirror = 0;
     each_lane(one, [&](int i) {
-      const double u = samplers_[i].lobe_choice(at.path.vertex);
+      const double u = sampler_->lane(i).lobe_choice(at.path.vertex);
       mirror |= static_cast<unsigned>(u < p[static_cast<std::size_t>(i)]) << i;
     });
     reflect(at, mirror, throughput * total);
@@ -201,7 +201,7 @@ void PacketTracer::reflect(const Scatter& at, unsigned bits, const Wide3& throug
   }
   Wide3 weighted = throughput;
   each_lane(bits, [&](int i) {
-    const auto s = at.material.lobe->sample(samplers_[i].lobe(at.path.vertex), direction.lane(i),
+    const auto s = at.material.lobe->sample(sampler_->lane(i).lobe(at.path.vertex), direction.lane(i),
                                             at.point.normal.lane(i));
     direction.set(i, s.direction);
     weighted.set(i, throughput.lane(i) * s.weight);
@@ -232,7 +232,7 @@ void PacketTracer::transmit(const Scatter& at, unsigned bits, const Wide3& throu
   }
   Wide3 weighted = throughput;
   each_lane(bits, [&](int i) {
-    const auto s = at.material.lobe->sample(samplers_[i].lobe(at.path.vertex), ahead.lane(i),
+    const auto s = at.material.lobe->sample(sampler_->lane(i).lobe(at.path.vertex), ahead.lane(i),
                                             -at.point.normal.lane(i));
     ahead.set(i, s.direction);
     weighted.set(i, throughput.lane(i) * s.weight);
@@ -261,7 +261,7 @@ void PacketTracer::add(const Scatter& at, unsigned bits, const Wide3& direction,
     if (plan_.random && (here & faint) != 0) {  // roulette
       unsigned survive = 0;
       each_lane(here & faint, [&](int i) {
-        const bool dies = samplers_[i].lobe_choice(vertex) * negligible_ >=
+        const bool dies = sampler_->lane(i).lobe_choice(vertex) * negligible_ >=
                           weight[static_cast<std::size_t>(i)];
         survive |= static_cast<unsigned>(!dies) << i;
       });
