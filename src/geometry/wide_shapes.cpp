@@ -11,7 +11,7 @@ WideMask in_range(const Wide& t, const Wide& t_max) {
 }
 
 /// As first_hit(): the first end of a chord ahead of the origin.
-WideHit first_end(const WideMask& crossed, const WideMask& undecided, const Wide& t_in,
+[[gnu::always_inline]] inline WideHit first_end(const WideMask& crossed, const WideMask& undecided, const Wide& t_in,
                   const Wide& in, const Wide& t_out, const Wide& out, const Wide& t_max) {
   const WideMask ahead = t_in > 0.0;
   const Wide t = select(ahead, t_in, t_out);
@@ -27,8 +27,8 @@ struct WideRecentred {
   Wide ray_parameter(const Wide& s) const { return shift + (residual + s); }
 };
 
-WideRecentred recentred(const Wide3& origin, const Wide3& direction,
-                        const Wide& direction_squared) {
+[[gnu::always_inline]] inline WideRecentred recentred(const Wide3& origin, const Wide3& direction,
+                                                      const Wide& direction_squared) {
   const Wide scale = -1.0 / direction_squared;
   const Wide shift = dot(origin, direction) * scale;
   const Wide3 near = fused_at(origin, direction, shift);
@@ -57,7 +57,7 @@ struct FromCentre {
   Wide3 origin, lost;
 };
 
-FromCentre from_centre(const Sphere& shape, const WideRay& ray) {
+[[gnu::always_inline]] inline FromCentre from_centre(const Sphere& shape, const WideRay& ray) {
   const WidePair x = exact_difference(ray.origin.x, shape.centre.x);
   const WidePair y = exact_difference(ray.origin.y, shape.centre.y);
   const WidePair z = exact_difference(ray.origin.z, shape.centre.z);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 
-WideRay to_model(const Placement& placement, const Packet& packet, Wide& position_error) {
+[[gnu::always_inline]] inline WideRay to_model(const Placement& placement, const Packet& packet, Wide& position_error) {
   if (packet.instance != no_instance) {  // as for a single ray: query.cpp
     const Wide reach = placement.model_per_render * max_abs(packet.ray.origin) +
                        Wide(max_abs(placement.model_from_render.offset));

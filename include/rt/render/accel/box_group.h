@@ -24,9 +24,9 @@ struct BoxRay {
 
   /// The float parameter for a limit in t, increased by more than float arithmetic can err.
   float limit(double t_max) const {
-    const auto far = static_cast<float>(t_max * per_t - entry);
-    return far + std::abs(far) * 0x1p-20F + 0x1p-17F;
+    return beyond_rounding(static_cast<float>(t_max * per_t - entry));
   }
+  static float beyond_rounding(float far) { return far + std::abs(far) * 0x1p-20F + 0x1p-17F; }
 };
 
 /// All segments from the points of one box to those of another: a shaft after Haines and Wallace,
@@ -50,6 +50,12 @@ struct BoxGroup {
 
   /// Bit i: the ray may touch box i before `limit`; near[i]: where it enters.
   unsigned touched(const BoxRay& ray, float limit, float* near) const {
+    __m256 enter;
+    const unsigned hits = touched(ray, limit, enter);
+    _mm256_store_ps(near, enter);
+    return hits;
+  }
+  unsigned touched(const BoxRay& ray, float limit, __m256& near) const {
     __m256 enter = _mm256_setzero_ps();
     __m256 leave = _mm256_set1_ps(limit);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -60,7 +66,7 @@ struct BoxGroup {
       enter = _mm256_max_ps(enter, _mm256_min_ps(a, b));
       leave = _mm256_min_ps(leave, _mm256_max_ps(a, b));
     }
-    _mm256_store_ps(near, enter);
+    near = enter;
     return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(enter, leave, _CMP_LE_OQ)));
   }
 
