@@ -18,12 +18,12 @@ Vec3 render_normal(const Placement& instance, const Vec3& n) {
   return glm::normalize(v / max_abs(v));
 }
 
-SurfacePoint model_point(const PlannedInstance& instance, const Placement& placement,
-                         const TraceRay& ray, const SceneHit& hit) {
+SurfacePoint model_point(const RenderPlan& plan, const Placement& placement, const TraceRay& ray,
+                         const SceneHit& hit) {
   const Ray in_model = model_ray(placement, ray);
   const ShapeHit model_hit{hit.t, hit.feature};
-  return std::visit([&](const auto& shape) { return surface_point(shape, in_model, model_hit); },
-                    *instance.shape);
+  return plan.visit(plan.instances[hit.instance],
+                    [&](const auto& shape) { return surface_point(shape, in_model, model_hit); });
 }
 
 RayCounts& RayCounts::operator+=(const RayCounts& other) {
@@ -36,12 +36,11 @@ RayCounts& RayCounts::operator+=(const RayCounts& other) {
 
 ShadingPoint shading_point(const RenderPlan& plan, const TraceRay& ray, const SceneHit& hit) {
   const PlannedInstance& instance = plan.instances[hit.instance];
-  const PlacementAt placement(instance, ray.time);
+  const PlacementAt placement(plan, instance, ray.time);
   const Ray in_model = model_ray(*placement, ray);
   const ShapeHit model_hit{hit.t, hit.feature};
-  const SurfacePoint p =
-      std::visit([&](const auto& shape) { return surface_point(shape, in_model, model_hit); },
-                 *instance.shape);
+  const SurfacePoint p = plan.visit(
+      instance, [&](const auto& shape) { return surface_point(shape, in_model, model_hit); });
   ShadingPoint point;
   point.position = placement->render_from_model.point(p.position);
   // The refined point lies on the surface to a few roundings of its own coordinates; the map to

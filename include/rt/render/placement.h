@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "rt/math/bounds.h"
+#include "rt/math/ray.h"
 #include "rt/math/transform.h"
 
 namespace rt {
@@ -17,6 +18,13 @@ struct Placement {
 
   Placement() = default;
   Placement(const Affine& to_render, const Affine& to_model);
+
+  /// A ray of render space in model space, with the same parameter t.
+  Ray ray(const Ray& in_render) const {
+    return moved_only ? Ray{in_render.origin + model_from_render.offset, in_render.direction}
+                      : Ray{model_from_render.point(in_render.origin),
+                            model_from_render.vector(in_render.direction)};
+  }
 };
 
 /// Render space from model space at even times over the open shutter; linear between. The corners

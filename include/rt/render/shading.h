@@ -34,8 +34,8 @@ struct ShadingPoint {
 };
 
 /// The hit in the instance's model space, refined onto the surface.
-SurfacePoint model_point(const PlannedInstance& instance, const Placement& placement,
-                         const TraceRay& ray, const SceneHit& hit);
+SurfacePoint model_point(const RenderPlan& plan, const Placement& placement, const TraceRay& ray,
+                         const SceneHit& hit);
 
 /// A model's unit normal in render space.
 Vec3 render_normal(const Placement& instance, const Vec3& n);
