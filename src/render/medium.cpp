@@ -34,7 +34,7 @@ bool inside(const RenderPlan& plan, std::uint32_t id, const TraceRay& ray) {
   if (const auto out = leads_out(plan, id, back)) {
     return *out;
   }
-  const Ray in_model = model_ray(plan.placement(plan.instances[id]), ray);
+  const Ray in_model = model_ray(plan, plan.instances[id], ray);
   return in_model.direction.y < 0.0 || (in_model.direction.y == 0.0 && in_model.origin.y < 0.0);
 }
 

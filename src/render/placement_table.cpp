@@ -37,20 +37,47 @@ std::size_t bytes_of(const std::vector<T>& v) {
 
 }  // namespace
 
+Placement MovedMap::placement() const {
+  Placement p;
+  p.render_from_model.offset = to_render;
+  p.model_from_render.offset = to_model;
+  p.moved_only = true;
+  return p;
+}
+
+Placement ScaledMap::placement() const {
+  Placement p;
+  p.render_from_model = {Mat3(render_factor), to_render};
+  p.model_from_render = {Mat3(model_factor), to_model};
+  p.render_per_model = render_per_model();
+  p.model_per_render = model_per_render();
+  return p;
+}
+
+Placement LinearMap::placement() const {
+  Placement p;
+  p.render_from_model = {parts.to_render, to_render};
+  p.model_from_render = {parts.to_model, to_model};
+  p.render_per_model = parts.render_per_model;
+  p.model_per_render = parts.model_per_render;
+  return p;
+}
+
 PlacementTable::Id PlacementTable::add(const Placement& placement) {
-  const Offsets offsets{placement.render_from_model.offset, placement.model_from_render.offset};
-  const Mat3& to_render = placement.render_from_model.linear;
-  const Mat3& to_model = placement.model_from_render.linear;
+  const auto& [to_render, render_offset] = placement.render_from_model;
+  const auto& [to_model, model_offset] = placement.model_from_render;
   if (placement.moved_only) {
     // What is placed by its own parameters is moved from the eye, all of it alike.
-    const bool again = !moved_.empty() && moved_.back() == offsets;
-    return {MapKind::moved,
-            again ? static_cast<std::uint32_t>(moved_.size() - 1) : appended(moved_, offsets)};
+    const MovedMap map{render_offset, model_offset};
+    const bool again = !moved_.empty() && moved_.back() == map;
+    const auto last = static_cast<std::uint32_t>(moved_.size()) - 1;
+    return {MapKind::moved, again ? last : appended(moved_, map)};
   }
   if (is_multiple(to_render) && is_multiple(to_model)) {
-    return {MapKind::scaled, appended(scaled_, {offsets, to_render[0][0], to_model[0][0]})};
+    return {MapKind::scaled,
+            appended(scaled_, {render_offset, model_offset, to_render[0][0], to_model[0][0]})};
   }
-  return {MapKind::linear, appended(linear_, {offsets, parts_of(placement)})};
+  return {MapKind::linear, appended(linear_, {render_offset, model_offset, parts_of(placement)})};
 }
 
 PlacementTable::Id PlacementTable::add(const Placement& at_open, PlannedMotion motion) {
@@ -64,44 +91,17 @@ std::uint32_t PlacementTable::parts_of(const Placement& placement) {
   std::uint32_t& last = recent_parts_[hash_of(to_render)];
   if (last == none || parts_[last].to_render != to_render || parts_[last].to_model != to_model) {
     last = appended(parts_,
-                    {to_render, to_model, placement.model_per_render, placement.render_per_model});
+                    {to_render, to_model, placement.render_per_model, placement.model_per_render});
   }
   return last;
 }
 
 Placement PlacementTable::at_open(MapKind kind, std::uint32_t index) const {
-  Placement p;
-  const auto move = [&p](const Offsets& offsets) {
-    p.render_from_model.offset = offsets.to_render;
-    p.model_from_render.offset = offsets.to_model;
-  };
-  switch (kind) {
-    case MapKind::moved:
-      move(moved_[index]);
-      p.moved_only = true;
-      return p;
-    case MapKind::scaled: {
-      const Scaled& map = scaled_[index];
-      move(map.offsets);
-      p.render_from_model.linear = Mat3(map.to_render);
-      p.model_from_render.linear = Mat3(map.to_model);
-      p.render_per_model = std::abs(map.to_render);
-      p.model_per_render = std::abs(map.to_model);
-      return p;
-    }
-    case MapKind::linear: {
-      const Linear& map = linear_[index];
-      const LinearParts& parts = parts_[map.parts];
-      move(map.offsets);
-      p.render_from_model.linear = parts.to_render;
-      p.model_from_render.linear = parts.to_model;
-      p.render_per_model = parts.render_per_model;
-      p.model_per_render = parts.model_per_render;
-      return p;
-    }
-    default:
-      return moving_[index].at_open;
-  }
+  return kind == MapKind::moving ? moving_[index].at_open : at(kind, index, 0.0);
+}
+
+Placement PlacementTable::at(MapKind kind, std::uint32_t index, double time) const {
+  return visit(kind, index, time, [](const auto& map) { return map.placement(); });
 }
 
 std::size_t PlacementTable::bytes() const {

@@ -21,22 +21,21 @@ struct ModelRay {
 };
 
 ModelRay to_model(const RenderPlan& plan, std::uint32_t id, const TraceRay& ray) {
-  const PlannedInstance& instance = plan.instances[id];
-  const auto map = plan.placements.to_model(instance.map, instance.placement,
-                                            {ray.origin, ray.direction}, ray.time);
-  ModelRay model{map.ray, {}};
-  if (ray.instance == no_instance) {
+  return plan.map(plan.instances[id], ray.time, [&](const auto& map) {
+    ModelRay model{map.model_ray({ray.origin, ray.direction}), {}};
+    if (ray.instance != no_instance) {
+      // The origin's own error, stretched by the map, and the rounding of the map (three products
+      // and three sums in each of three components).
+      const double stretch = map.model_per_render();
+      const double reach = stretch * max_abs(ray.origin) + max_abs(map.to_model);
+      model.start.position_error = stretch * ray.position_error + gamma(12) * reach;
+      if (ray.instance == id) {
+        model.start.leaving = ray.leaving;
+        model.start.feature = ray.feature;
+      }
+    }
     return model;
-  }
-  // The origin's own error, stretched by the map, and the rounding of the map (three products and
-  // three sums in each of three components).
-  const double reach = map.model_per_render * max_abs(ray.origin) + map.offset;
-  model.start.position_error = map.model_per_render * ray.position_error + gamma(12) * reach;
-  if (ray.instance == id) {
-    model.start.leaving = ray.leaving;
-    model.start.feature = ray.feature;
-  }
-  return model;
+  });
 }
 
 /// Whether the ray has just left that instance and cannot meet it again.
@@ -161,8 +160,10 @@ bool blocks(const RenderPlan& plan, std::uint32_t id, const TraceRay& ray, doubl
 
 }  // namespace
 
-Ray model_ray(const Placement& instance, const TraceRay& ray) {
-  return instance.ray({ray.origin, ray.direction});
+Ray model_ray(const RenderPlan& plan, const PlannedInstance& instance, const TraceRay& ray) {
+  return plan.map(instance, ray.time, [&](const auto& map) {
+    return map.model_ray({ray.origin, ray.direction});
+  });
 }
 
 std::optional<SceneHit> instance_hit(const RenderPlan& plan, std::uint32_t instance,

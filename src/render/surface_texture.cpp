@@ -153,7 +153,7 @@ void tilt(TexturePoint& at, const TextureSet& textures, const Placement& placeme
   if (bump.texture) {
     n = bumped(at, bump, n);
   }
-  n = render_normal(placement, n);
+  n = placement.render_normal(n);
   if (point.side == Leaving::inward) {
     n = -n;
   }
@@ -187,8 +187,7 @@ Reflectances textured(const RenderPlan& plan, const TraceRay& ray, const SceneHi
   const PlacementAt placement(plan, plan.instances[hit.instance], ray.time);
   const TextureSet& textures = *material.textures;
   const Mat3& to_model = placement->model_from_render.linear;
-  TexturePoint at(plan, hit, model_point(plan, *placement, ray, hit),
-                  here ? to_model * here->dp_dx : Vec3(0.0),
+  TexturePoint at(plan, hit, model_point(plan, ray, hit), here ? to_model * here->dp_dx : Vec3(0.0),
                   here ? to_model * here->dp_dy : Vec3(0.0));
   tilt(at, textures, *placement, ray.direction, point);
   const auto& kd = textures[TextureSlot::kd].texture;
@@ -203,7 +202,7 @@ double opacity_at(const RenderPlan& plan, const TraceRay& ray, const SceneHit& h
     return material.opacity;
   }
   const PlacementAt placement(plan, plan.instances[hit.instance], ray.time);
-  const SurfacePoint p = model_point(plan, *placement, ray, hit);
+  const SurfacePoint p = model_point(plan, ray, hit);
   // A disc of that width, whatever way the surface is turned.
   const Vec3 any = std::abs(p.normal.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 0, 1);
   const Vec3 side = glm::normalize(glm::cross(p.normal, any));

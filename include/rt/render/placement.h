@@ -9,6 +9,10 @@
 
 namespace rt {
 
+/// v made a unit vector. Scaled by its largest entry first: a world 1e200 times smaller or larger
+/// still has unit normals.
+inline Vec3 scaled_to_unit(const Vec3& v) { return glm::normalize(v / max_abs(v)); }
+
 struct Placement {
   Affine render_from_model;
   Affine model_from_render;
@@ -24,6 +28,11 @@ struct Placement {
     return moved_only ? Ray{in_render.origin + model_from_render.offset, in_render.direction}
                       : Ray{model_from_render.point(in_render.origin),
                             model_from_render.vector(in_render.direction)};
+  }
+  /// A model's unit normal in render space: normals map by the inverse transpose.
+  Vec3 render_normal(const Vec3& n) const {
+    // n * m is transpose(m) n.
+    return moved_only ? n : scaled_to_unit(n * model_from_render.linear);
   }
 };
 

@@ -110,6 +110,11 @@ struct RenderPlan {
   Placement placement(const PlannedInstance& instance) const {
     return placements.at_open(instance.map, instance.placement);
   }
+  /// f(map) of where an instance is at a time: a MovedMap, ScaledMap or LinearMap.
+  template <class F>
+  auto map(const PlannedInstance& instance, double time, F&& f) const {
+    return placements.visit(instance.map, instance.placement, time, f);
+  }
   /// f(shape) of an instance, as std::visit.
   template <class F>
   auto visit(const PlannedInstance& instance, F&& f) const {
