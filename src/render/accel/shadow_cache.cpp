@@ -50,12 +50,13 @@ bool holds(const Bounds& cell, const Vec3& p) {
 }
 
 /// Whether a plane may cross the shaft.
-bool crosses(const PlannedInstance& plane, const Shaft& shaft) {
-  if (plane.motion || !std::holds_alternative<Plane>(*plane.shape)) {
+bool crosses(const RenderPlan& plan, const PlannedInstance& plane, const Shaft& shaft) {
+  if (plane.moves() || !plane.is<Plane>()) {
     return true;
   }
-  const auto [a, b] = heights(plane.model_from_render, shaft.from);
-  const auto [c, d] = heights(plane.model_from_render, shaft.to);
+  const Affine model_from_render = plan.placement(plane).model_from_render;
+  const auto [a, b] = heights(model_from_render, shaft.from);
+  const auto [c, d] = heights(model_from_render, shaft.to);
   return !(std::min(a, c) > 0.0 || std::max(b, d) < 0.0);
 }
 
@@ -109,7 +110,7 @@ void ShadowCache::fill(Entry& entry, const Bounds& cell, std::size_t light) cons
   const Shaft shaft{cell, lights_[light]};
   entry.state = State::known;
   for (const std::uint32_t id : plan_.unbounded) {
-    if (crosses(plan_.instances[id], shaft) && !add(entry, id)) {
+    if (crosses(plan_, plan_.instances[id], shaft) && !add(entry, id)) {
       return;
     }
   }
