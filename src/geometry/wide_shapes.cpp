@@ -125,6 +125,26 @@ Wide clamp(const Wide& x, double lo, double hi) { return min(max(x, Wide(lo)), W
 
 }  // namespace
 
+WideMask may_meet(const Bounds& box, const WideRay& ray, const Wide& t_max) {
+  // Recentring moves a line by a few roundings of its origin, solving it by a few of the shape.
+  const Wide room =
+      gamma(64) * (max_abs(ray.origin) + std::max(max_abs(box.lo), max_abs(box.hi)));
+  Wide t_in(0.0);
+  Wide t_out = t_max;
+  const auto clip = [&](const Wide& origin, const Wide& direction, double lo, double hi) {
+    const Wide inverse = 1.0 / direction;
+    const Wide a = (lo - room - origin) * inverse;
+    const Wide b = (hi + room - origin) * inverse;
+    t_in = max(t_in, min(a, b));  // a NaN, where origin and face agree, clips nothing
+    t_out = min(t_out, max(a, b));
+  };
+  clip(ray.origin.x, ray.direction.x, box.lo.x, box.hi.x);
+  clip(ray.origin.y, ray.direction.y, box.lo.y, box.hi.y);
+  clip(ray.origin.z, ray.direction.z, box.lo.z, box.hi.z);
+  // Each bound carries two rounded differences, a quotient and a product.
+  return !(t_in > t_out + gamma(8) * (abs(t_in) + abs(t_out)));
+}
+
 WideHit intersect(const Sphere& shape, const WideRay& ray, const Wide& t_max,
                   const Wide& position_error) {
   const Wide direction_squared = dot(ray.direction, ray.direction);

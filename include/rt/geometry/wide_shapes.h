@@ -53,6 +53,10 @@ WideSurfacePoint surface_point(const Box& shape, const WideRay& ray, const Wide&
 WideSurfacePoint surface_point(const Cylinder& shape, const WideRay& ray, const Wide& t,
                                const Wide& feature);
 
+/// The lanes whose ray may cross what lies in the box, before t_max: no crossing that a shape's
+/// scalar function would report is lost.
+WideMask may_meet(const Bounds& box, const WideRay& ray, const Wide& t_max);
+
 /// The shapes that have these functions.
 template <class S>
 concept WideShape = requires(const S& shape, const WideRay& ray, const Wide& w) {

@@ -95,7 +95,7 @@ void PacketTracer::shade(const Path& path, const PacketHits& hits, std::uint32_t
   const PlannedInstance& instance = plan_.instances[id];
   const PlannedMaterial& material = plan_.materials[instance.material];
   WideLook look{material.plain.kd, material.plain.ks, material.plain.opacity};
-  if (instance.textures) {
+  if (material.textures) {
     each_lane(bits, [&](int i) {
       ShadingPoint one = point.lane(i);
       const Reflectances r =

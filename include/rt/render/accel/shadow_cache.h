@@ -26,7 +26,7 @@ class ShadowCache {
 
  private:
   static constexpr std::size_t entries = 1024;
-  static constexpr std::size_t most = 12;
+  static constexpr std::size_t most = 28;
   enum class State : std::uint8_t { unknown, many, known };
 
   struct alignas(64) Entry {

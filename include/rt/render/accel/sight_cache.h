@@ -26,9 +26,9 @@ class SightCache {
 
  private:
   static constexpr std::size_t entries = 256;
-  static constexpr std::size_t most = 5;
+  static constexpr std::size_t most = 12;
 
-  struct alignas(32) Entry {
+  struct alignas(64) Entry {
     int x, y;
     bool filled = false;
     bool few = false;
