@@ -12,15 +12,15 @@ struct Finding {
 };
 
 /// A search from one step beyond `jet`, of which only what it finds after `least` counts.
-Finding search_from(const RingAlongLine& ring, const RingJet& jet, double start, double least) {
+Finding search_from(const Ring& ring, const RingJet<double>& jet, double start, double least) {
   double s = start + step_to_root(jet).length;
   const Dip dip = search_dip(ring, s);
   return {s > least ? dip : Dip::unclear, s};
 }
 
 /// In the dip that the line begins with.
-Finding near_dip(const RingAlongLine& ring, const Sighting& line) {
-  const RingJet jet = ring.at(line.start);
+Finding near_dip(const Ring& ring, const Sighting& line) {
+  const RingJet<double> jet = ring.at(line.start);
   const bool convex = ring.has_one_dip() || jet.curvature > 0;
   if (convex && jet.slope < 0) {
     const Finding near = search_from(ring, jet, line.start, line.begin);
@@ -33,20 +33,20 @@ Finding near_dip(const RingAlongLine& ring, const Sighting& line) {
 
 /// In the dip past the axis, searched from where the line leaves the hole or, where it is concave
 /// there or does not pass through the hole, back from its end.
-Finding far_dip(const RingAlongLine& ring, const Sighting& line) {
+Finding far_dip(const Ring& ring, const Sighting& line) {
   const double least = std::max(line.begin, line.axis);
   if (line.exit >= line.end) {
     return {Dip::missed, line.end};
   }
   if (line.exit > line.axis) {
-    const RingJet jet = ring.at(line.exit);
+    const RingJet<double> jet = ring.at(line.exit);
     if (jet.curvature > 0) {
       return jet.slope < 0
                  ? search_from(ring, jet, line.exit, least)
                  : Finding{jet.value > ring.noise() ? Dip::missed : Dip::unclear, line.exit};
     }
   }
-  const RingJet last = ring.at(line.end);
+  const RingJet<double> last = ring.at(line.end);
   if (!(last.value > ring.noise())) {
     return {Dip::unclear, line.end};
   }
@@ -71,8 +71,7 @@ Finding decided(const TorusLine& line, const Finding& at, double begin) {
 }  // namespace
 
 std::optional<double> look_again(const TorusLine& line, const Sighting& first) {
-  const RingAlongLine ring{line.line.origin, line.direction, line.torus.major_radius,
-                           line.torus.minor_radius};
+  const Ring ring(line.line.origin, line.direction, line.torus);
   const bool searched = first.found != first.start;
   Finding at = decided(line, searched ? Finding{first.dip, first.found} : near_dip(ring, first),
                        first.begin);

@@ -27,11 +27,11 @@ enum class Dip {
 
 /// The falling root of the dip that `s` lies in; `s` moves to it, or to where it was judged.
 /// Inlined by order: as a call it costs a tenth of the whole intersection.
-[[gnu::always_inline]] inline Dip search_dip(const RingAlongLine& ring, double& s) {
+[[gnu::always_inline]] inline Dip search_dip(const Ring& ring, double& s) {
   constexpr int most_steps = 8;  // one or two are the rule
   const double size2 = ring.size() * ring.size();
   for (int i = 0; i < most_steps; ++i) {
-    const RingJet jet = ring.at(s);
+    const RingJet<double> jet = ring.at(s);
     // rho in (R + r) / 4 .. 1.42 (R + r): where the bounds on errors hold, and the torus is.
     const bool in_reach = (16 * jet.square >= size2) & (jet.square <= 2 * size2);
     if (!(in_reach & (jet.curvature > 0))) [[unlikely]] {
@@ -46,7 +46,7 @@ enum class Dip {
         return Dip::touched;
       }
     }
-    const RingStep step = step_to_root(jet);
+    const RingStep<double> step = step_to_root(jet);
     s += step.length;
     if (settled(ring, jet, step)) {
       const bool falls = (step.fall > ring.slope_noise()) & (step.fall * step.fall > doubt);

@@ -112,7 +112,7 @@ struct Hole {
 
 /// Made smaller by more than the rounding of the discriminant, 4 u k (R + r)^2: R - r is a third of
 /// R + r or more.
-inline Hole hole_of(const RingAlongLine& ring) {
+inline Hole hole_of(const Ring& ring) {
   const double inner = ring.R - ring.r;
   const double c = ring.o.x * ring.o.x + ring.o.z * ring.o.z;
   const double per_k = 1 / ring.k;
@@ -127,7 +127,7 @@ inline Hole hole_of(const RingAlongLine& ring) {
 [[gnu::always_inline]] inline OptionalHit hit_from_outside(const Torus& torus, const Ray& ray,
                                                            double t_max, const Approach& a,
                                                            const Stretch& stretch) {
-  const RingAlongLine ring{a.line.origin, a.direction, torus.major_radius, torus.minor_radius};
+  const Ring ring(a.line.origin, a.direction, torus);
   const Hole hole = hole_of(ring);
   const double first = hole.holds(stretch.begin) ? hole.exit() : stretch.begin;
   if (!(first < stretch.end)) {

@@ -5,23 +5,35 @@ namespace rt {
 
 /// The quartic along a line through its point nearest to the centre, direction of unit length: the
 /// cubic term vanishes. s^4 + c2 s^2 + c1 s + c0.
-struct Quartic {
-  double c2, c1, c0;
+/// Real: a number, or several at a time.
+template <class Real>
+struct QuarticOf {
+  Real c2, c1, c0;
 
-  double operator()(double s) const { return ((s * s + c2) * s + c1) * s + c0; }
-  double slope(double s) const { return (4 * s * s + 2 * c2) * s + c1; }
-  double curvature(double s) const { return 12 * s * s + 2 * c2; }
+  Real operator()(const Real& s) const { return ((s * s + c2) * s + c1) * s + c0; }
+  Real slope(const Real& s) const { return (4 * s * s + 2 * c2) * s + c1; }
+  Real curvature(const Real& s) const { return 12 * s * s + 2 * c2; }
 };
+using Quartic = QuarticOf<double>;
 
-inline Quartic quartic_of(const Torus& torus, const Vec3& o, const Vec3& d) {
+/// `square`: o . o.
+template <class Point, class Real>
+QuarticOf<Real> quartic_of(const Torus& torus, const Point& o, const Point& d, const Real& square) {
   const double R = torus.major_radius;
   const double r = torus.minor_radius;
-  const double h = glm::dot(o, o);
+  const Real& h = square;
   const double R4 = 4 * R * R;
   // The constant term, h - R^2 - r^2 squared less 4 R^2 (r^2 - y^2), in factored form.
   return {2 * (h - R * R - r * r) + R4 * d.y * d.y, 2 * R4 * o.y * d.y,
           (h - (R + r) * (R + r)) * (h - (R - r) * (R - r)) + R4 * o.y * o.y};
 }
+inline Quartic quartic_of(const Torus& torus, const Vec3& o, const Vec3& d) {
+  return quartic_of(torus, o, d, glm::dot(o, o));
+}
+
+/// Halley's step comes nearer to a root than the vertex is while the parabola's bend is below so
+/// much of the slope's square; a parabola with its root at its vertex has half of it.
+inline constexpr double shallow = 0.47;
 
 /// A step towards the next root, cheap because it waits for no square root, and good because it is
 /// the first of two or three: Halley's while the parabola that fits has a root well before its
@@ -31,9 +43,6 @@ inline double nearer_root(const Quartic& quartic, double s) {
   const double slope = quartic.slope(s);
   const double square = slope * slope;
   const double bend = value * quartic.curvature(s);
-  // A parabola with its root at its vertex has bend = square / 2. Up to here Halley's step comes
-  // nearer to the root than the vertex is.
-  constexpr double shallow = 0.47;
   return s - slope * value / (bend > shallow * square ? bend : square - 0.5 * bend);
 }
 

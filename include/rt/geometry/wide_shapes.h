@@ -38,6 +38,8 @@ WideHit intersect(const Box& shape, const WideRay& ray, const Wide& t_max,
                   const Wide& position_error);
 WideHit intersect(const Cylinder& shape, const WideRay& ray, const Wide& t_max,
                   const Wide& position_error);
+WideHit intersect(const Torus& shape, const WideRay& ray, const Wide& t_max,
+                  const Wide& position_error);
 
 /// Where rays that start on the sphere, going inward, come out.
 WideHit leave_inward(const Sphere& shape, const WideRay& ray, const Wide& t_max);
@@ -51,6 +53,8 @@ WideSurfacePoint surface_point(const Square& shape, const WideRay& ray, const Wi
 WideSurfacePoint surface_point(const Box& shape, const WideRay& ray, const Wide& t,
                                const Wide& feature);
 WideSurfacePoint surface_point(const Cylinder& shape, const WideRay& ray, const Wide& t,
+                               const Wide& feature);
+WideSurfacePoint surface_point(const Torus& shape, const WideRay& ray, const Wide& t,
                                const Wide& feature);
 
 /// The lanes whose ray may cross what lies in the box, before t_max: no crossing that a shape's
