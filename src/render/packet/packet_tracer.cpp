@@ -109,15 +109,7 @@ void PacketTracer::shade(const Path& path, const PacketHits& hits, std::uint32_t
   Scatter at{path, point, material, look, bits};
   const bool deepest = path.depth >= plan_.options.max_depth;
   if (material.transmissive) {
-    unsigned displaced = 0;
-    each_lane(bits, [&](int i) {
-      const auto l = static_cast<std::size_t>(i);
-      const ShadingPoint one = point.lane(i);
-      const Media media = media_about(plan_, one, at.direction().lane(i));
-      displaced |= static_cast<unsigned>(hides(plan_, media, id)) << i;
-      at.n1[l] = index_of(plan_, media.before);
-      at.n2[l] = index_of(plan_, media.behind);
-    });
+    const unsigned displaced = find_media(at);
     if (displaced != 0 && !deepest) {
       add(at, displaced, at.direction(), path.throughput, false);
     }
@@ -130,6 +122,29 @@ void PacketTracer::shade(const Path& path, const PacketHits& hits, std::uint32_t
   if (!deepest) {
     scatter(at);
   }
+}
+
+/// The indices before and behind the surface; the lanes where another medium displaces the
+/// instance's own.
+unsigned PacketTracer::find_media(Scatter& at) {
+  const std::uint32_t id = at.point.instance;
+  const std::span<const std::uint32_t> candidates = plan_.media_about(id);
+  if (candidates.size() == 1 && candidates[0] == id) {
+    // The usual case: nothing transmissive is near but the solid itself.
+    const WideMask from_outside = mask_of(at.point.from_outside);
+    at.n1 = select(from_outside, Wide(1.0), Wide(at.material.ior));
+    at.n2 = select(from_outside, Wide(at.material.ior), Wide(1.0));
+    return 0;
+  }
+  unsigned displaced = 0;
+  each_lane(at.bits, [&](int i) {
+    const auto l = static_cast<std::size_t>(i);
+    const Media media = media_about(plan_, at.point.lane(i), at.direction().lane(i));
+    displaced |= static_cast<unsigned>(hides(plan_, media, id)) << i;
+    at.n1[l] = index_of(plan_, media.before);
+    at.n2[l] = index_of(plan_, media.behind);
+  });
+  return displaced;
 }
 
 Wide3 PacketTracer::surface(const Scatter& at) {

@@ -33,6 +33,7 @@ class PacketTracer {
 
   void follow(const Path& path);
   void shade(const Path& path, const PacketHits& hits, std::uint32_t instance, unsigned bits);
+  unsigned find_media(Scatter& at);
   Wide3 surface(const Scatter& at);
   void scatter(Scatter& at);
   void divide(Scatter& at, const Wide& reflected, const Wide& transmitted);
