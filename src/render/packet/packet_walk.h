@@ -13,11 +13,22 @@ class PacketBoxRays {
  public:
   /// Lanes that pass all boxes by are taken out.
   PacketBoxRays(const BoxSpace& space, const Packet& packet, const Wide& t_max) {
-    each_lane(packet.active, [&](int i) {
+    per_t_ = space.per_unit();
+    const Wide3 origin = (packet.ray.origin - Wide3(space.centre())) * per_t_;
+    const unsigned near = bits_of(max_abs(origin) < BoxSpace::reach_of_rays) & packet.active;
+    const Wide3& d = packet.ray.direction;
+    const Wide3 inverse{inverse_of(d.x), inverse_of(d.y), inverse_of(d.z)};
+    active_ = near;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      rays_[i].origin = {static_cast<float>(origin.x[i]), static_cast<float>(origin.y[i]),
+                         static_cast<float>(origin.z[i])};
+      rays_[i].inverse = {static_cast<float>(inverse.x[i]), static_cast<float>(inverse.y[i]),
+                          static_cast<float>(inverse.z[i])};
+    }
+    each_lane(packet.active & ~near, [&](int i) {
       const auto at = static_cast<std::size_t>(i);
       if (space.enter(packet.ray.lane(i), rays_[at])) {
         active_ |= 1U << i;
-        per_t_[at] = rays_[at].per_t;
         entry_[at] = rays_[at].entry;
       }
     });
@@ -59,19 +70,25 @@ class PacketBoxRays {
   };
   Touched touched(const BoxGroup& group, unsigned bits) const {
     Touched out;
-    __m256 nearest = _mm256_set1_ps(std::numeric_limits<float>::infinity());
+    BoxGroup::Floats nearest = std::numeric_limits<float>::infinity();
     each_lane(bits, [&](int i) {
       const auto at = static_cast<std::size_t>(i);
-      __m256 near;
+      BoxGroup::Floats near;
       out.by_lane[at] = group.touched(rays_[at], limits_[at], near);
       out.boxes |= out.by_lane[at];
-      nearest = _mm256_min_ps(nearest, near);
+      nearest = min(nearest, near);
     });
-    _mm256_store_ps(out.near, nearest);
+    nearest.copy_to(out.near, stdx::vector_aligned);
     return out;
   }
 
  private:
+  /// As BoxSpace::inverse_of().
+  static Wide inverse_of(const Wide& d) {
+    return select(abs(d) * BoxSpace::endless > 1.0, 1.0 / d,
+                  stdx::copysign(Wide(BoxSpace::endless), d));
+  }
+
   std::array<BoxRay, lanes> rays_;
   std::array<float, lanes> limits_{};
   Wide per_t_{0.0};
