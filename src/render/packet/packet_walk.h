@@ -10,6 +10,8 @@ namespace rt {
 
 /// A packet in the space of the boxes.
 class PacketBoxRays {
+  using Floats = stdx::rebind_simd_t<float, Wide>;
+
  public:
   /// Lanes that pass all boxes by are taken out.
   PacketBoxRays(const BoxSpace& space, const Packet& packet, const Wide& t_max) {
@@ -39,25 +41,21 @@ class PacketBoxRays {
 
   /// Where lanes end from now on; those with a negative t_max leave.
   void limit(const Wide& t_max) {
-    const Wide far = t_max * per_t_ - entry_;
-    for (std::size_t i = 0; i < lanes; ++i) {
-      limits_[i] = BoxRay::beyond_rounding(static_cast<float>(far[i]));
-    }
+    const auto far = stdx::static_simd_cast<Floats>(t_max * per_t_ - entry_);
+    // As BoxRay::beyond_rounding().
+    limits_ = far + stdx::abs(far) * 0x1p-20F + 0x1p-17F;
     ended_ = bits_of(t_max < 0.0);
   }
   /// Which lanes of `bits` do not end before the float parameter.
   unsigned before_end(unsigned bits, float near) const {
-    unsigned out = 0;
-    for (std::size_t i = 0; i < lanes; ++i) {
-      out |= static_cast<unsigned>(!(near > limits_[i])) << i;
-    }
-    return out & bits & ~ended_;
+    const Floats::mask_type before = !(limits_ < near);
+    return static_cast<unsigned>(before.__to_bitset().to_ulong()) & bits & ~ended_;
   }
 
   /// What the lanes may touch of a group of boxes.
   struct Touched {
-    unsigned boxes = 0;                    ///< that some lane may touch
-    std::array<unsigned, lanes> by_lane{};  ///< the boxes that one lane may
+    unsigned boxes = 0;                       ///< that some lane may touch
+    std::array<unsigned, lanes> by_lane{};    ///< the boxes that one lane may
     alignas(32) float near[BoxGroup::width];  ///< where the first lane enters, or earlier
 
     unsigned lanes_at(int box) const {
@@ -74,7 +72,7 @@ class PacketBoxRays {
     each_lane(bits, [&](int i) {
       const auto at = static_cast<std::size_t>(i);
       BoxGroup::Floats near;
-      out.by_lane[at] = group.touched(rays_[at], limits_[at], near);
+      out.by_lane[at] = group.touched(rays_[at], float{limits_[at]}, near);
       out.boxes |= out.by_lane[at];
       nearest = min(nearest, near);
     });
@@ -90,7 +88,7 @@ class PacketBoxRays {
   }
 
   std::array<BoxRay, lanes> rays_;
-  std::array<float, lanes> limits_{};
+  Floats limits_{0.0F};
   Wide per_t_{0.0};
   Wide entry_{0.0};
   unsigned active_ = 0;

@@ -13,7 +13,7 @@ namespace rt {
 /// conservative, so rays find the same hits with the cache as without. For cameras that have no
 /// lens and stand still.
 ///
-/// One a thread, of 8 KB.
+/// One a thread, of 16 KB.
 class SightCache {
  public:
   explicit SightCache(const RenderPlan& plan);
