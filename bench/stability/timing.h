@@ -1,34 +1,40 @@
 #pragma once
 #include <algorithm>
-#include <chrono>
+#include <ctime>
+#include <span>
 #include <vector>
 
 namespace rt::bench {
 
-/// Nanoseconds per call of each of several functions over the same items: the functions take turns,
-/// so that a busy machine is unfair to none, and the median of the rounds counts.
+/// Nanoseconds of processor time per call of each of several functions over the same items. The
+/// functions take turns on slices of the items, short enough to be interrupted seldom, so that a
+/// busy machine is unfair to none; the median over slices and rounds counts. Many slices keep the
+/// processor from learning by heart how the branches of each item go.
 template <class Item, class Function>
 std::vector<double> nanoseconds(const std::vector<Item>& items,
                                 const std::vector<Function>& functions, int rounds) {
+  constexpr std::size_t slice = 4096;
   std::vector<std::vector<double>> times(functions.size());
   long sum = 0;
   for (int round = 0; round < rounds; ++round) {
-    for (std::size_t k = 0; k < functions.size(); ++k) {
-      const auto start = std::chrono::steady_clock::now();
-      for (const Item& item : items) {
-        sum += functions[k](item) ? 1 : 0;
+    for (std::size_t begin = 0; begin + slice <= items.size(); begin += slice) {
+      for (std::size_t k = 0; k < functions.size(); ++k) {
+        const std::clock_t start = std::clock();
+        for (const Item& item : std::span(items).subspan(begin, slice)) {
+          sum += functions[k](item) ? 1 : 0;
+        }
+        const double spent = 1e9 / CLOCKS_PER_SEC * static_cast<double>(std::clock() - start);
+        times[k].push_back(spent / static_cast<double>(slice));
       }
-      const std::chrono::duration<double, std::nano> spent =
-          std::chrono::steady_clock::now() - start;
-      times[k].push_back(spent.count() / static_cast<double>(items.size()));
     }
   }
   volatile long keep = sum;
   static_cast<void>(keep);
   std::vector<double> medians;
   for (std::vector<double>& t : times) {
-    std::nth_element(t.begin(), t.begin() + rounds / 2, t.end());
-    medians.push_back(t[static_cast<std::size_t>(rounds / 2)]);
+    const auto middle = t.begin() + static_cast<std::ptrdiff_t>(t.size() / 2);
+    std::nth_element(t.begin(), middle, t.end());
+    medians.push_back(*middle);
   }
   return medians;
 }

@@ -222,7 +222,13 @@ SurfacePoint surface_point(const Blob&, const Ray& ray, const ShapeHit& hit) {
   const Meridian m = meridian(p);
   const Vec3 normal(slant * m.cosine, join, slant * m.sine);
   const double off = slant * (m.radius - (apex - p.y) / 5);
-  return {p - off * normal, normal, normal};
+  p -= off * normal;
+  // From afar the last place of t may carry a hit of the rim over it.
+  const double y = glm::clamp(p.y, base, join);
+  if (y != p.y) {
+    p = Vec3((apex - y) / 5 * m.cosine, y, (apex - y) / 5 * m.sine);
+  }
+  return {p, normal, normal};
 }
 
 /// Longitude and latitude of the direction from the origin, which sees every point of the surface

@@ -178,7 +178,13 @@ SurfacePoint surface_point(const PointedCone&, const Ray& ray, const ShapeHit& h
   const Meridian m = meridian(p);
   const Vec3 normal = slant * Vec3(m.cosine, 1, m.sine);
   const double off = slant * (m.radius - (1 - p.y));
-  return {p - off * normal, normal, normal};
+  p -= off * normal;
+  // From afar the last place of t may carry a hit of the rim over it.
+  const double y = glm::clamp(p.y, 0.0, 1.0);
+  if (y != p.y) {
+    p = Vec3((1 - y) * m.cosine, y, (1 - y) * m.sine);
+  }
+  return {p, normal, normal};
 }
 
 /// The side by longitude and height; the disc as a cylinder's lower one.

@@ -36,9 +36,9 @@ Vec3 Random::direction() {
 }
 
 std::string Family::name() const {
-  static const char* const names[] = {"random",      "grazing", "double root", "far",
-                                      "far grazing", "axis",    "equatorial",  "inside",
-                                      "edge",        "thin",    "spindle",     "non-uniform"};
+  static const char* const names[] = {
+      "random", "grazing", "double root", "far",     "far grazing", "axis",      "equatorial",
+      "inside", "edge",    "thin",        "spindle", "non-uniform", "any radius"};
   return shape + ", " + names[static_cast<int>(kind)];
 }
 
@@ -59,10 +59,11 @@ std::vector<Family> families(const std::string& shape) {
   };
   add("torus", {random, grazing, thin, far, far_grazing, axis, equatorial, double_root, non_uniform,
                 inside, spindle});
-  add("sphere", {random, grazing, far, far_grazing, axis, double_root, non_uniform, inside});
-  add("cylinder", {random, grazing, far, axis, double_root, non_uniform, inside, edge});
-  add("cone", {random, grazing, far, axis, double_root, non_uniform, inside, edge});
-  add("blob", {random, grazing, far, axis, double_root, non_uniform, inside, edge});
+  add("sphere",
+      {random, grazing, far, far_grazing, axis, double_root, non_uniform, inside, scaled});
+  for (const char* name : {"cylinder", "cone", "blob"}) {
+    add(name, {random, grazing, far, far_grazing, axis, double_root, non_uniform, inside, edge});
+  }
   add("box", {random, far, axis, non_uniform, inside, edge});
   add("plane", {random, grazing, far});
   add("square", {random, far, axis, edge});
@@ -90,6 +91,10 @@ Shape shape_for(const Family& family, Random& random) {
     return Torus{};
   }
   if (family.shape == "sphere") {
+    if (family.kind == Kind::scaled) {
+      const double radius = random.power_of_ten(-8, 8);
+      return Sphere{random.uniform(0, 3) * radius * random.direction(), radius};
+    }
     // The unit sphere, and spheres about other centres.
     return random.below(2) == 0 ? Sphere{} : Sphere{3.0 * random.direction(), 0.5};
   }
@@ -126,7 +131,7 @@ Vec3 target_in(const Shape& shape, Random& random) {
 
 Ray past_a_tangent(const Shape& shape, double lo, double hi, double distance, Random& random) {
   const Spot spot = spot_on(shape, random);
-  const double off = hi > -300 ? random.sign() * random.power_of_ten(lo, hi) : 0;
+  const double off = hi > -300 ? random.sign() * random.power_of_ten(lo, hi) * size_of(shape) : 0;
   return towards(spot.position + off * spot.normal, tangent_at(spot.normal, random), distance,
                  random);
 }
@@ -200,6 +205,11 @@ Ray ray_for(const Family& family, const Shape& shape, double unit, Random& rando
       return {inner_point(shape, random), length_of_direction(random) * random.direction()};
     case Kind::edge:
       return past_an_edge(shape, random);
+    case Kind::scaled:
+      if (random.below(2) == 0) {
+        break;
+      }
+      return past_a_tangent(shape, -12, -3, 3 * unit, random);
     case Kind::non_uniform:
       return from_a_stretched_world(shape, random);
     case Kind::random:

@@ -45,6 +45,7 @@ enum class Kind {
   thin,         ///< torus: r / R = 1e-1 to 1e-5, half of the rays grazing
   spindle,      ///< torus: r / R = 0.3 to 10, 1 among them, half of the rays grazing
   non_uniform,  ///< carried from a world in which the shape is stretched by up to 1e6 : 1
+  scaled,       ///< sphere: radius 1e-8 to 1e8, half of the rays grazing
 };
 
 struct Family {

@@ -55,6 +55,23 @@ TEST(ClosedMeshes, AreClosedAndFaceOutward) {
   }
 }
 
+TEST(ClosedMeshes, LetNoRayOutThroughTheirEdges) {
+  Random random(3);
+  for (const Mesh& mesh : {box_mesh(), sphere_mesh(2), torus_mesh(12, 6)}) {
+    const bool ring = mesh.data->triangles.size() == 144;
+    for (int i = 0; i < 4000; ++i) {
+      const Corners& c = mesh.data->triangles[static_cast<std::size_t>(
+          random.below(static_cast<int>(mesh.data->triangles.size())))];
+      const Vec3& a = mesh.data->positions[c[0]];
+      const double part = random.below(4) == 0 ? 0 : random.uniform();
+      const Vec3 target = glm::mix(a, mesh.data->positions[c[1]], part);
+      const Vec3 inner = ring ? Vec3(0.9, 0.1, 0.05) : 0.4 * random.direction();
+      const Ray ray{inner, random.power_of_ten(-3, 3) * (target - inner)};
+      ASSERT_TRUE(intersect(mesh, ray, 1e300, {}).has_value()) << i;
+    }
+  }
+}
+
 TEST(Suite, RejectsAFixedEpsilon) { EXPECT_GT(total(Policy::epsilon, 100).failures(), 100); }
 
 }  // namespace

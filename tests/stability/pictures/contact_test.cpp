@@ -128,6 +128,23 @@ TEST(Contact, AGapOfAMillionthIsDarkInside) {
   }
 }
 
+TEST(Contact, ALightAHairInsideAShellLightsItAndOneOutsideDoesNot) {
+  // Shadow rays end at the light: 1e-12 short of the shell, or beyond it.
+  for (const double scale : scales) {
+    for (const double off : {-1e-12, 1e-12}) {
+      World world({scale, Vec3(0.0)}, 40, 30);
+      world.look({0, 0, 0}, {0, 0, -1}, 60);
+      world.light({0, 0, 1 + off}, 1.0);
+      world.add(Sphere{}, {}, matt(Rgb(1.0)));
+      for (const float p : world.picture().pixels) {
+        // Seen at an angle of at most 39 degrees to the far pole: n . l is at least cos(39 / 2).
+        ASSERT_EQ(p > 0.25F + 0.9F, off < 0) << scale << " " << off;
+        ASSERT_EQ(p == 0.25F, off > 0) << scale << " " << off;
+      }
+    }
+  }
+}
+
 TEST(Contact, TheEyeAHairsBreadthFromATorus) {
   // 5e-5 from the outer equator. All it sees is the tube, lit from behind the eye.
   for (const double scale : scales) {

@@ -20,6 +20,7 @@ std::vector<Named> every_primitive() {
           {"cylinder", Cylinder{}, Affine::scaling({0.8, 1.5, 0.8})},
           {"torus", Torus{0.8, 0.3}, up * Affine::rotation(0, 65)},
           {"spindle", Torus{0.4, 0.6}, up},
+          {"cone", PointedCone{}, Affine::scaling({0.8, 1.6, 0.8})},
           {"blob", Blob{}, Affine::translation({0, 1, 0})},
           {"square", Square{1.6}, up * Affine::rotation(0, 70)},
           {"mesh", Mesh{data}, Affine::rotation(1, 25)}};
