@@ -1,4 +1,6 @@
 /// What scripts can reach, and what they can break.
+#include <set>
+
 #include "script_run.h"
 
 namespace rt::lua {
@@ -98,10 +100,20 @@ TEST_F(Sandbox, MemoryIsLimited) {
                  {"--script-memory"}, ExitCode::limit);
   }
   run("assert(not pcall(string.rep, 'x', 1e9)) local t = {} for i = 1, 1000 do t[i] = {} end");
-  settings_.limits.memory = 5000;
-  expect_error("x = 1", "scene.lua: the script needs more memory", {}, ExitCode::limit);
-  settings_.limits.memory = 10;
-  EXPECT_EQ(failure("x = 1").code, ExitCode::limit);
+}
+
+TEST_F(Sandbox, MemoryCanBeTooLittleForAnyStep) {
+  // For a state, for its libraries, for the script: wherever it runs out, that is all that happens.
+  std::set<std::string> ends;
+  for (std::size_t bytes = 8; bytes < 1 << 20; bytes += bytes / 8 + 8) {
+    settings_.limits.memory = bytes;
+    const Failure got = failure("x = 1");
+    EXPECT_EQ(got.code, got.text.empty() ? ExitCode::done : ExitCode::limit) << got.text;
+    ends.insert(got.text);
+  }
+  EXPECT_EQ(ends.size(), 3u) << testing::PrintToString(ends);
+  EXPECT_EQ(ends.count("there is not enough memory to start Lua"), 1u);
+  EXPECT_EQ(ends.count(""), 1u);
 }
 
 TEST_F(Sandbox, ArgumentsReachTheScript) {
