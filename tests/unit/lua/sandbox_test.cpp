@@ -64,6 +64,23 @@ TEST_F(Sandbox, ErrorsStillReadWellWhenGlobalsAreGone) {
       "scene.lua:2: gr.sphere: expected a name (string) as argument 1, got a table with 2 items");
 }
 
+TEST_F(Sandbox, MethodsOfStringsMayBeChangedWithoutHarm) {
+  run(R"(
+    local strings = getmetatable('').__index
+    for name in pairs(strings) do strings[name] = function() error('called') end end
+    getmetatable('').__index = function() error('called') end
+    getmetatable('').__tostring = function() error('called') end
+    getmetatable('').__gc = function() error('called') end
+    local root = gr.node('root'):set_material(gr.material{kd = 1})
+    root:add_child(gr.sphere('s'):rotate('x', 20))
+    gr.render(root, 'a.png', 4, 3, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {0,0,0}, {})
+    collectgarbage())");
+  EXPECT_EQ(jobs_.size(), 1u);
+  expect_error(
+      "string.format = nil string.find = nil getmetatable('').__index = nil\ngr.sphere({1, 2})",
+      "scene.lua:2: gr.sphere: expected a name (string) as argument 1, got a table with 2 items");
+}
+
 TEST_F(Sandbox, SetmetatableIsTheLibrarysButForFinalisers) {
   run(R"(
     local t, mt = {}, {__index = {x = 5}}
