@@ -172,7 +172,7 @@ int unknown_method(lua_State* L) {
 template <class T>
 int no_method(lua_State* L) {
   throw SceneError(
-      fmt::format("a {} has no '{}'; only nodes have methods", handle_name<T>, key_text(L, 2)));
+      fmt::format("a {} has no '{}'; only nodes have methods", handle_kind<T>.name, key_text(L, 2)));
 }
 
 int refuse_assignment(lua_State* L) {

@@ -28,8 +28,8 @@ bool is_gr_table(lua_State* L, int index) {
 Call::Call(lua_State* state)
     : L(state), binding(called_binding(state)), count_(lua_gettop(state)), most_(binding.most) {
   if (binding.is_method()) {
-    self_ = held<Node>(L, 1);
-    if (!self_) {
+    self_ = handle<Node>(L, 1);
+    if (self_ == nullptr) {
       fail(fmt::format("expected a node before the colon, got {}; write a colon, not a dot: {}",
                        describe(L, 1), binding.example));
     }
@@ -45,8 +45,8 @@ Value Call::argument(int n, std::string_view name) const {
 }
 
 std::string Call::title() const {
-  return self_ ? fmt::format("{} of '{}'", binding.title, shortened(self_->name))
-               : std::string(binding.title);
+  return self_ != nullptr ? fmt::format("{} of '{}'", binding.title, shortened((*self_)->name))
+                          : std::string(binding.title);
 }
 
 void Call::fail(std::string_view text) const {
@@ -54,6 +54,9 @@ void Call::fail(std::string_view text) const {
 }
 
 void Call::warn_of_ignored() const {
+  if (count_ <= most_ && ignored_.empty()) {
+    return;
+  }
   std::vector<int> ignored = ignored_;
   for (int n = most_ + 1; n <= count_; ++n) {
     if (argument(n).given()) {

@@ -23,8 +23,8 @@ class Call {
   lua_State* L;
   const Binding& binding;
 
-  /// The node before the colon; null in functions of gr.
-  const std::shared_ptr<Node>& self() const { return self_; }
+  /// The node before the colon. Methods only.
+  const std::shared_ptr<Node>& self() const { return *self_; }
   Context& run() const { return context(L); }
 
   /// Argument n, with a name for messages; it may be absent.
@@ -52,7 +52,7 @@ class Call {
   int count_ = 0;
   int most_ = 0;
   std::vector<int> ignored_;
-  std::shared_ptr<Node> self_;
+  const std::shared_ptr<Node>* self_ = nullptr;  ///< of the value at stack index 1, which stays
 };
 
 }  // namespace rt::lua

@@ -10,7 +10,7 @@ std::string location(lua_State* L) {
     lua_getinfo(L, "Sl", &frame);
     if (frame.currentline > 0) {
       const char* file = frame.source[0] == '@' ? frame.source + 1 : frame.short_src;
-      return fmt::format("{}:{}", file, frame.currentline);
+      return file + (':' + std::to_string(frame.currentline));  // for every node that is made
     }
   }
   return {};

@@ -1,5 +1,6 @@
 #pragma once
 /// What one run of a script knows, beside its Lua state.
+#include <array>
 #include <deque>
 #include <filesystem>
 #include <lua.hpp>
@@ -36,6 +37,8 @@ struct Context {
   std::vector<Folder> mesh_folders;
   /// Where the pictures of its textures lie.
   std::vector<Folder> texture_folders;
+  /// The metatable of each kind of userdata (handle.h).
+  std::array<const void*, 4> metatables = {};
   /// Modules that are being loaded, outermost first, to report a loop of requires.
   std::vector<std::string> loading = {};
   /// Meshes by their real path: nodes of one file share its triangles.

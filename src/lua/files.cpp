@@ -3,17 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 
 namespace rt::lua {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+/// Bytes of a source text.
+constexpr std::size_t largest_source = std::size_t{64} << 20;
 
 bool is_mesh(const fs::path& file) {
   std::string extension = file.extension().string();
@@ -135,14 +138,18 @@ std::string read_file(const fs::path& path, const std::string& shown) {
   if (fs::is_directory(path, error)) {
     throw FileError(fmt::format("cannot read '{}': it is a folder", shown));
   }
-  constexpr std::uintmax_t largest = std::uintmax_t{64} << 20;
-  if (const auto size = fs::file_size(path, error); !error && size > largest) {
-    throw FileError(
-        fmt::format("cannot read '{}': {} bytes are too many for a script", shown, size));
-  }
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  std::string bytes;
+  std::array<char, 1 << 14> piece;
+  do {
+    stream.read(piece.data(), piece.size());
+    bytes.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
+    if (bytes.size() > largest_source) {  // a device may never end
+      throw FileError(fmt::format("cannot read '{}': more than {} MB are too many for a script",
+                                  shown, largest_source >> 20));
+    }
+  } while (stream);
   if (!stream.is_open() || stream.bad()) {
     throw FileError(fmt::format("cannot read '{}': {}", shown,
                                 errno != 0 ? std::strerror(errno) : "input error"));

@@ -23,20 +23,25 @@ int load_text_only(lua_State* L) {
 }
 
 /// setmetatable without __gc: Lua runs finalisers with hooks off, where no limit but the watchdog's
-/// would hold. Otherwise the library's, written out: scripts with classes call it for every object,
-/// and a call within the call would cost them an eighth. The string "__gc" is the upvalue.
+/// would hold. Otherwise the library's, written out in as few calls as will do: scripts with
+/// classes call it for every object. The string "__gc" is the upvalue.
 int setmetatable_without_gc(lua_State* L) {
-  luaL_checktype(L, 1, LUA_TTABLE);
+  if (lua_type(L, 1) != LUA_TTABLE) {
+    luaL_checktype(L, 1, LUA_TTABLE);
+  }
   const int type = lua_type(L, 2);
-  luaL_argcheck(L, type == LUA_TNIL || type == LUA_TTABLE, 2, "nil or table expected");
   if (type == LUA_TTABLE) {
     lua_pushvalue(L, lua_upvalueindex(1));
     if (lua_rawget(L, 2) != LUA_TNIL) {
       return luaL_error(L, "setmetatable: scripts have no finalisers; leave __gc out");
     }
+  } else {
+    luaL_argcheck(L, type == LUA_TNIL, 2, "nil or table expected");
   }
-  if (luaL_getmetafield(L, 1, "__metatable") != LUA_TNIL) {
-    return luaL_error(L, "cannot change a protected metatable");
+  if (lua_getmetatable(L, 1) != 0) {
+    if (luaL_getmetafield(L, 1, "__metatable") != LUA_TNIL) {
+      return luaL_error(L, "cannot change a protected metatable");
+    }
   }
   lua_settop(L, 2);
   lua_setmetatable(L, 1);

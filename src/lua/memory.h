@@ -1,17 +1,13 @@
 #pragma once
 #include <atomic>
 #include <cstddef>
-#include <cstdlib>
-#include <limits>
 #include <memory>
-#include <string>
 #include <utility>
 
 namespace rt::lua {
 
 /// Counts what a script takes of memory and refuses what goes over the limit: what its Lua state
-/// allocates (Lua then collects its garbage and, when that is not enough, raises "not enough
-/// memory"), and what the objects made by gr take beside it (Charge).
+/// allocates (LuaMemory), and what the objects made by gr take beside it (Charge).
 class MemoryMeter {
  public:
   explicit MemoryMeter(std::size_t limit) : limit_(limit) {}
@@ -31,30 +27,9 @@ class MemoryMeter {
   }
   void give_back(std::size_t bytes) { objects_.fetch_sub(bytes, std::memory_order_relaxed); }
 
-  /// Called when Lua is refused memory.
-  void (*on_refusal)(void*) = nullptr;
-  void* refusal_context = nullptr;
-
-  /// Lua's allocator: lua_newstate(MemoryMeter::allocate, &meter).
-  static void* allocate(void* meter, void* block, std::size_t old_size, std::size_t new_size) {
-    auto& self = *static_cast<MemoryMeter*>(meter);
-    const std::size_t before = block == nullptr ? 0 : old_size;  // else old_size is a type tag
-    if (new_size == 0) {
-      std::free(block);
-      self.lua_ -= before;
-      return nullptr;
-    }
-    const bool fits = new_size <= before || new_size - before <= self.left();
-    void* result = fits ? std::realloc(block, new_size) : nullptr;
-    if (result == nullptr) {
-      if (self.on_refusal != nullptr) {
-        self.on_refusal(self.refusal_context);
-      }
-      return nullptr;
-    }
-    self.lua_ = self.lua_ - before + new_size;
-    return result;
-  }
+  /// Called by the script's thread alone.
+  void lua_takes(std::size_t bytes) { lua_ += bytes; }
+  void lua_gives_back(std::size_t bytes) { lua_ -= bytes; }
 
  private:
   std::size_t limit_;

@@ -12,6 +12,7 @@
 #include "excerpt.h"
 #include "files.h"
 #include "libraries.h"
+#include "lua_memory.h"
 #include "memory.h"
 
 namespace rt::lua {
@@ -24,10 +25,19 @@ struct Program {
   const std::vector<std::string>& args;
 };
 
+void note_refusal(Context& run) {
+  run.refused = true;
+  if (lua_State* L = run.guard.running()) {
+    run.refused_at = location(L);
+  }
+}
+
 /// A Lua state that is closed when it goes out of scope, while its context still stands.
 class State {
  public:
-  explicit State(Context& run) : L(lua_newstate(MemoryMeter::allocate, run.memory.get())) {
+  explicit State(Context& run)
+      : memory_(*run.memory, [&run] { note_refusal(run); }),
+        L(lua_newstate(LuaMemory::allocate, &memory_)) {
     if (L == nullptr) {
       throw UserError(ExitCode::limit, "there is not enough memory to start Lua");
     }
@@ -37,6 +47,10 @@ class State {
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
+ private:
+  LuaMemory memory_;
+
+ public:
   lua_State* const L;
 };
 
@@ -156,14 +170,6 @@ void warn_of_unused_materials(const Context& run) {
                   places.size() > 1 ? fmt::format(" (nor are {} more)", places.size() - 1) : ""));
 }
 
-void note_refusal(void* context) {
-  auto& run = *static_cast<Context*>(context);
-  run.refused = true;
-  if (lua_State* L = run.guard.running()) {
-    run.refused_at = location(L);
-  }
-}
-
 }  // namespace
 
 void run_script(const std::filesystem::path& path, const std::vector<std::string>& args,
@@ -184,8 +190,6 @@ void run_script(const std::filesystem::path& path, const std::vector<std::string
               .mesh_folders = mesh_folders(path, settings),
               .texture_folders = texture_folders(path, settings)};
   run.sources.emplace(program.name, path);
-  run.memory->on_refusal = note_refusal;
-  run.memory->refusal_context = &run;
   const State state(run);
   lua_pushcfunction(state.L, error_text);
   lua_pushcfunction(state.L, run_program);

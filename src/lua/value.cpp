@@ -98,7 +98,7 @@ template <class T>
 std::shared_ptr<T> Value::object() const {
   std::shared_ptr<T> result = index_ == 0 ? nullptr : held<T>(state(), index_);
   if (!result) {
-    fail(fmt::format("a {}", handle_name<T>));
+    fail(fmt::format("a {}", handle_kind<T>.name));
   }
   return result;
 }

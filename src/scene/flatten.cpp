@@ -1,7 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "rt/scene/error.h"
 #include "rt/scene/node.h"
+#include "texture_cover.h"
 
 namespace rt {
 namespace {
@@ -50,6 +54,7 @@ class Flattener {
       }
     }
     warn_of_missing_materials();
+    std::ranges::move(cover_.warnings(), std::back_inserter(result_.warnings));
     return std::move(result_);
   }
 
@@ -57,6 +62,7 @@ class Flattener {
   struct Paint {
     std::shared_ptr<const Material> material;
     std::shared_ptr<const TextureSet> textures;
+    std::shared_ptr<const TextureCover::Group> group;  ///< whose textures are among them
   };
 
   /// A node whose children are being visited.
@@ -92,11 +98,12 @@ class Flattener {
 
   /// A material set here comes with the textures set here, or none; else both are the parent's, but
   /// for textures set here.
-  static Paint painted(const Node& node, const Paint& inherited) {
+  Paint painted(const Node& node, const Paint& inherited) {
+    auto group = cover_.enter(node, inherited.group);
     if (node.material) {
-      return {node.material, node.textures};
+      return {node.material, node.textures, std::move(group)};
     }
-    return {inherited.material, layered(inherited.textures, node.textures)};
+    return {inherited.material, layered(inherited.textures, node.textures), std::move(group)};
   }
 
   static void check_depth(const Node& node, std::size_t depth) {
@@ -128,6 +135,7 @@ class Flattener {
     if (result_.instances.size() >= max_instances_) {
       refuse(node);
     }
+    cover_.show(node, paint.textures.get(), paint.group.get());
     result_.instances.push_back({world_from_model, *model_from_world, node.shape,
                                  paint.material ? paint.material : default_material(node),
                                  paint.textures, node.name, path});
@@ -154,6 +162,7 @@ class Flattener {
   std::size_t max_instances_;
   std::size_t visits_ = 0;
   Flattened result_;
+  TextureCover cover_;
   std::shared_ptr<const Material> default_material_;
   std::string first_without_material_;
   std::size_t without_material_ = 0;

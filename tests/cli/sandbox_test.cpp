@@ -101,6 +101,9 @@ TEST_F(Untrusted, NamesStayInsideTheFolders) {
   std::filesystem::create_directory_symlink(folder_, folder_ / "deep/inner/up");
   ASSERT_EQ(mkfifo((folder_ / "deep/inner/pipe.obj").c_str(), 0600), 0);
   ASSERT_EQ(mkfifo((folder_ / "deep/inner/pipe.lua").c_str(), 0600), 0);
+  ASSERT_EQ(mkfifo((folder_ / "deep/inner/pipe.png").c_str(), 0600), 0);
+  std::filesystem::create_symlink("/dev/zero", folder_ / "deep/inner/zero.lua");
+  std::filesystem::create_symlink("/dev/zero", folder_ / "deep/inner/zero.png");
   const std::string absolute = (folder_ / "secret.obj").string();
   const std::string render = ", 8, 8, {0,0,5}, {0,0,-1}, {0,1,0}, 40, 0, {})";
   const struct {
@@ -116,6 +119,14 @@ TEST_F(Untrusted, NamesStayInsideTheFolders) {
       {"gr.mesh('m', '/dev/zero')", 1, "lies outside"},
       {"gr.mesh('m', '/proc/self/mem')", 1, "lies outside"},
       {"gr.mesh('m', 'pipe.obj')", 3, "not a regular file"},
+      {"gr.texture('../../secret.png')", 1, "lies outside"},
+      {"gr.texture('up/secret.png')", 1, "lies outside"},
+      {"gr.texture('zero.png')", 1, "lies outside"},
+      {"gr.texture('/dev/zero')", 1, "lies outside"},
+      {"gr.sphere('s'):set_texture('/etc/passwd')", 1, "lies outside"},
+      {"gr.texture('pipe.png')", 3, "not a regular file"},
+      {"dofile 'zero.lua'", 1, "lies outside"},
+      {"dofile '/dev/zero'", 1, "lies outside"},
       {"require 'pipe'", 3, "not a regular file"},
       {"dofile 'pipe.lua'", 3, "not a regular file"},
       {"dofile '../../secret.lua'", 1, "lies outside"},
@@ -136,6 +147,12 @@ TEST_F(Untrusted, NamesStayInsideTheFolders) {
     EXPECT_EQ(o.exit_code, c.exit_code) << c.script << "\n" << o.err;
     EXPECT_NE(o.err.find(c.says), std::string::npos) << c.script << "\n" << o.err;
   }
+}
+
+TEST_F(Untrusted, AScriptWithoutEndIsNotReadToIt) {
+  const Outcome o = run("/dev/zero");
+  EXPECT_EQ(o.exit_code, 3) << o.err;
+  EXPECT_NE(o.err.find("cannot read '/dev/zero': more than 64 MB"), std::string::npos) << o.err;
 }
 
 TEST_F(Untrusted, FoldersCanBeAllowedAndAScriptTrusted) {

@@ -38,6 +38,16 @@ TEST_F(Warned, OfWhatWillLookWrong) {
       {grey + render("gr.sphere('bulb'):set_material(m)", "gr.light({0.1, 0, 0}, {1,1,1}, {1,0,0})",
                      "0.2"),
        "the light at (0.1, 0, 0) is inside 'bulb'"},
+      {grey +
+           "local pair = gr.node('pair'):set_texture(gr.checker(0, 1))\n"
+           "pair:add_child(gr.sphere('s'):set_material(m))\n" +
+           render("pair", lamp, "0.2"),
+       "the texture of node 'pair' (scene.lua:2) covers nothing"},
+      {grey +
+           "local t = gr.mesh('t', {{-1,-1,0}, {1,-1,0}, {0,1,0}}, {{0,1,2}}):set_material(m)\n"
+           "t:set_texture('brick.jpg')\n" +
+           render("t", lamp, "0.2"),
+       "mesh 't' (scene.lua:2) has no texture coordinates"},
   };
   for (const auto& c : cases) {
     const Outcome o = run_script(c.script, "-q --samples 1");
@@ -60,6 +70,14 @@ TEST_F(Warned, NotOfARoomNorOfALampOfGlass) {
                  "gr.light({0.1, 0, 0}, {1,1,1}, {1,0,0}), " + lamp, "0.2"),
       grey + render("gr.sphere('s'):set_material(m)", lamp, "0"),
       grey + render("gr.plane('ground'):translate(0, -1, 0):set_material(m)", lamp, "0.2"),
+      grey +
+          "local pair = gr.node('pair'):set_material(m):set_texture('brick.jpg')\n"
+          "pair:add_child(gr.sphere('s'))\n" +
+          render("pair", lamp, "0.2"),
+      grey +
+          "local t = gr.mesh('t', {{-1,-1,0}, {1,-1,0}, {0,1,0}}, {{0,1,2}}):set_material(m)\n"
+          "t:set_texture(gr.checker(0.2, 1))\n" +
+          render("t", lamp, "0.2"),
   };
   for (const std::string& script : cases) {
     const Outcome o = run_script(script, "-q --samples 4");

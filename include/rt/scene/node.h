@@ -62,7 +62,7 @@ struct Instance {
 /// of the graph do not touch.
 struct Flattened {
   std::vector<Instance> instances;
-  std::vector<std::string> warnings;  ///< at most one about missing materials
+  std::vector<std::string> warnings;  ///< of missing materials, of textures that will not be seen
 };
 
 /// What flatten() is to expect of memory: bytes for each instance, the renderer's share included.

@@ -68,6 +68,25 @@ TEST_F(Meshes, TheWorkingFolderComesSecond) {
   EXPECT_EQ(real_[1], std::filesystem::canonical(folder_ / "only_here.obj"));
 }
 
+TEST_F(Meshes, EachFolderOfTheFrameworksIsSearched) {
+  const std::vector<std::string> folders{"set/scenes",  "work", "set/scenes/Assets",
+                                         "work/Assets", "set",  "set/Assets"};
+  std::string text;
+  std::vector<std::filesystem::path> expected;
+  for (std::size_t i = 0; i < folders.size(); ++i) {
+    const std::string name = "mesh" + std::to_string(i) + ".obj";
+    write(folders[i] + "/" + name, "");
+    text += "gr.mesh('m', '" + name + "')\n";
+    expected.push_back(std::filesystem::canonical(folder_ / folders[i] / name));
+  }
+  write("set/scenes/scene.lua", text);
+  const auto before = std::filesystem::current_path();
+  std::filesystem::current_path(folder_ / "work");
+  EXPECT_NO_THROW(run_script("../set/scenes/scene.lua", {}, host_));
+  std::filesystem::current_path(before);
+  EXPECT_EQ(real_, expected);
+}
+
 TEST_F(Meshes, AMissingFileIsAFileError) {
   expect_error("gr.mesh('m', 'cow.obj')", "scene.lua:1: gr.mesh: there is no file 'cow.obj' in ",
                {}, ExitCode::file);

@@ -1,4 +1,6 @@
 /// What scripts can reach, and what they can break.
+#include <set>
+
 #include "script_run.h"
 
 namespace rt::lua {
@@ -62,6 +64,23 @@ TEST_F(Sandbox, ErrorsStillReadWellWhenGlobalsAreGone) {
       "scene.lua:2: gr.sphere: expected a name (string) as argument 1, got a table with 2 items");
 }
 
+TEST_F(Sandbox, MethodsOfStringsMayBeChangedWithoutHarm) {
+  run(R"(
+    local strings = getmetatable('').__index
+    for name in pairs(strings) do strings[name] = function() error('called') end end
+    getmetatable('').__index = function() error('called') end
+    getmetatable('').__tostring = function() error('called') end
+    getmetatable('').__gc = function() error('called') end
+    local root = gr.node('root'):set_material(gr.material{kd = 1})
+    root:add_child(gr.sphere('s'):rotate('x', 20))
+    gr.render(root, 'a.png', 4, 3, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {0,0,0}, {})
+    collectgarbage())");
+  EXPECT_EQ(jobs_.size(), 1u);
+  expect_error(
+      "string.format = nil string.find = nil getmetatable('').__index = nil\ngr.sphere({1, 2})",
+      "scene.lua:2: gr.sphere: expected a name (string) as argument 1, got a table with 2 items");
+}
+
 TEST_F(Sandbox, SetmetatableIsTheLibrarysButForFinalisers) {
   run(R"(
     local t, mt = {}, {__index = {x = 5}}
@@ -98,10 +117,20 @@ TEST_F(Sandbox, MemoryIsLimited) {
                  {"--script-memory"}, ExitCode::limit);
   }
   run("assert(not pcall(string.rep, 'x', 1e9)) local t = {} for i = 1, 1000 do t[i] = {} end");
-  settings_.limits.memory = 5000;
-  expect_error("x = 1", "scene.lua: the script needs more memory", {}, ExitCode::limit);
-  settings_.limits.memory = 10;
-  EXPECT_EQ(failure("x = 1").code, ExitCode::limit);
+}
+
+TEST_F(Sandbox, MemoryCanBeTooLittleForAnyStep) {
+  // For a state, for its libraries, for the script: wherever it runs out, that is all that happens.
+  std::set<std::string> ends;
+  for (std::size_t bytes = 8; bytes < 1 << 20; bytes += bytes / 8 + 8) {
+    settings_.limits.memory = bytes;
+    const Failure got = failure("x = 1");
+    EXPECT_EQ(got.code, got.text.empty() ? ExitCode::done : ExitCode::limit) << got.text;
+    ends.insert(got.text);
+  }
+  EXPECT_EQ(ends.size(), 3u) << testing::PrintToString(ends);
+  EXPECT_EQ(ends.count("there is not enough memory to start Lua"), 1u);
+  EXPECT_EQ(ends.count(""), 1u);
 }
 
 TEST_F(Sandbox, ArgumentsReachTheScript) {

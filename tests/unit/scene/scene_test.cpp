@@ -90,6 +90,49 @@ TEST(Flatten, AMissingMaterialGivesADefaultAndOneWarning) {
   EXPECT_NE(flat.warnings[0].find("'one' (and 1 more)"), std::string::npos) << flat.warnings[0];
 }
 
+/// A group with a texture over `child`.
+std::shared_ptr<Node> textured_group(const std::string& name, std::shared_ptr<Node> child) {
+  auto textures = std::make_shared<TextureSet>();
+  (*textures)[TextureSlot::kd].texture = std::make_shared<Texture>(Checker{});
+  auto group = std::make_shared<Node>();
+  group->name = name;
+  group->textures = textures;
+  if (child) {
+    add_child(*group, std::move(child));
+  }
+  return group;
+}
+
+TEST(Flatten, TexturesThatNoShapeTakesAreWarnedOf) {
+  const auto material = std::make_shared<Material>();
+  const auto painted = [&](const std::string& name) {
+    auto node = sphere_node(name);
+    node->material = material;
+    return node;
+  };
+  auto root = std::make_shared<Node>();
+  root->material = material;
+  add_child(*root, textured_group("seen", sphere_node("bare")));
+  add_child(*root, textured_group("outer", textured_group("inner", sphere_node("deep"))));
+  EXPECT_TRUE(flatten(*root).warnings.empty());
+
+  // Seen in one place is enough for a node that stands in two.
+  auto shared = textured_group("shared", nullptr);
+  auto shows = textured_group("shows", shared);
+  add_child(*root, shared);
+  add_child(*root, shows);
+  add_child(*shared, sphere_node("in shared"));
+  EXPECT_TRUE(flatten(*root).warnings.empty());
+
+  add_child(*root, textured_group("hidden", painted("own")));
+  add_child(*root, textured_group("bare", nullptr));
+  const Flattened flat = flatten(*root);
+  ASSERT_EQ(flat.warnings.size(), 1u);
+  EXPECT_TRUE(flat.warnings[0].starts_with(
+      "the texture of node 'hidden' covers nothing (nor do those of 1 more): "))
+      << flat.warnings[0];
+}
+
 TEST(Flatten, TransformsThatUnderflowTogetherNameTheNode) {
   auto root = std::make_shared<Node>();
   auto node = sphere_node("speck");
