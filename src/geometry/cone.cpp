@@ -1,82 +1,50 @@
 #include "rt/geometry/cone.h"
 
-#include <algorithm>
-
-#include "convex.h"
+#include "chords.h"
+#include "disc.h"
 #include "longitude.h"
-#include "recentre.h"
-#include "rt/math/rounding.h"
 
 namespace rt {
 namespace {
 
 constexpr std::uint32_t side_feature = 0;
 constexpr std::uint32_t disc_feature = 1;
+
+constexpr Nappe side{1, 1, 1, gamma(6)};  ///< moved by three recentrings, within 1 of the origin
 constexpr double slant = std::numbers::sqrt2 / 2;  ///< components of the side's normal: 45 degrees
 
-/// x^2 + z^2 - (1 - y)^2 along a line: a t^2 + 2 b t + c, at most 0 inside either nappe.
-struct ConeQuadratic {
-  double a, b, c;
+/// Where a line is inside the nappe. It is seen from its point nearest to the apex, so that
+/// rounding is relative to the distance from there, as the cone's width is.
+void clip_side(Chord& chord, const Ray& ray, const Recentred& line, double direction_squared) {
+  const Vec3& d = ray.direction;
+  const double middle = glm::dot(Vec3(0, 1, 0) - line.origin, d) / direction_squared;
+  const Vec3 nearest = fused_at(line.origin, d, middle);
+  Chord nappe;
+  clip_nappe(nappe, side, ray, {nearest, line.shift, line.residual + middle}, side_feature);
+  chord.clip(nappe.t_in + middle, side_feature, nappe.t_out + middle, side_feature);
+}
 
-  ConeQuadratic(const Vec3& o, const Vec3& d) {
-    const double width = 1 - o.y;
-    a = d.x * d.x + d.z * d.z - d.y * d.y;
-    b = o.x * d.x + o.z * d.z + width * d.y;
-    c = o.x * o.x + o.z * o.z - width * width;
+Chord chord_of(const PointedCone&, const Ray& ray, const Recentred& line,
+               double direction_squared) {
+  // The whole cone lies within 1 of the origin.
+  if (!(glm::dot(line.origin, line.origin) <= 1 + gamma(8))) {
+    return {infinity, -infinity};
   }
-};
-
-/// Where a line is inside the nappe below the apex.
-void clip_side(Chord& chord, const Vec3& o, const Vec3& d) {
-  const ConeQuadratic q(o, d);
-  const double discriminant = difference_of_products(q.b, q.b, q.a, q.c);
-  // A line steeper than the slope always crosses twice: at the apex' height it is not inside.
-  const double root = std::sqrt(q.a < 0 ? std::max(discriminant, 0.0) : discriminant);
-  if (!(root >= 0)) {
-    chord.t_out = -infinity;
-    return;
-  }
-  const double sum = -(q.b + std::copysign(root, q.b));
-  if (sum == 0) {  // through the apex, and along the slope or crossing nothing but the apex
-    if (q.a >= 0 || d.y == 0) {
-      chord.t_out = -infinity;
-      return;
-    }
-    const double at_apex = (1 - o.y) / d.y;
-    d.y < 0 ? chord.clip(at_apex, side_feature, infinity, side_feature)
-            : chord.clip(-infinity, side_feature, at_apex, side_feature);
-    return;
-  }
-  // The root without cancellation, and the other from the product of the two. As a goes through
-  // zero (the line turns parallel to the cone's slope) first goes to infinity, as it should.
-  const double first = sum / q.a;
-  const double second = q.c / sum;
-  const double lo = std::min(first, second);
-  const double hi = std::max(first, second);
-  if (q.a >= 0) {  // flatter than the slope: both crossings are of one nappe
-    if (o.y + second * d.y <= 1) {
-      chord.clip(lo, side_feature, hi, side_feature);
-    } else {
-      chord.t_out = -infinity;
-    }
-  } else if (d.y < 0) {  // steeper: downward the line stays inside for ever
-    chord.clip(hi, side_feature, infinity, side_feature);
-  } else {
-    chord.clip(-infinity, side_feature, lo, side_feature);
-  }
+  Chord chord;
+  clip_side(chord, ray, line, direction_squared);
+  chord.clip_slab(line.origin.y, ray.direction.y, 0, disc_feature, 1, side_feature);
+  return chord;
 }
 
 /// Where a ray that starts on feature `left`, going inward, comes out.
-OptionalHit leave_cone(const Ray& ray, double t_max, std::uint32_t left) {
+OptionalHit leave(const PointedCone&, const Ray& ray, double t_max, std::uint32_t left) {
   const Vec3& o = ray.origin;
   const Vec3& d = ray.direction;
   Chord chord;
   if (left == side_feature) {
-    // One root is 0 exactly, so the other is the negative linear term.
-    const ConeQuadratic q(o, d);
-    chord.clip(0, side_feature, q.a > 0 ? -2 * q.b / q.a : infinity, side_feature);
+    chord.clip(0, side_feature, NappeQuadratic(side, o, d).exit_from_surface(), side_feature);
   } else {
-    clip_side(chord, o, d);
+    clip_side(chord, ray, {o, 0, 0}, glm::dot(d, d));
   }
   if (d.y < 0) {
     chord.clip(-infinity, side_feature, -o.y / d.y, disc_feature);
@@ -84,19 +52,14 @@ OptionalHit leave_cone(const Ray& ray, double t_max, std::uint32_t left) {
   return exit_hit(chord.empty() ? 0 : chord.t_out, chord.empty() ? left : chord.out, t_max);
 }
 
-struct Coincidence {
-  Leaving side;
-  std::uint32_t feature;
-};
-
-/// The side to which the ray leaves, if its origin lies on the surface within `error`. The distance
-/// from the side takes at most five roundings of quantities no larger than |origin| + 1.
-Coincidence coincidence(const Ray& ray, double error) {
+/// The distance from the side takes at most five roundings of quantities no larger than
+/// |origin| + 1.
+Coincidence coincidence(const PointedCone&, const Ray& ray, double error) {
   const Vec3& o = ray.origin;
   const Vec3& d = ray.direction;
   const Meridian m = meridian(o);
   const double slack = error + gamma(5) * (m.radius + std::abs(o.y) + 1);
-  const double off_side = slant * (m.radius - (1 - o.y));
+  const double off_side = slant * (m.radius - side.width_at(o.y));
   const bool inside = o.y >= -error && o.y <= 1 + slack && off_side <= slack;
   const bool on_side = inside && off_side >= -slack;
   Touching touching;
@@ -109,44 +72,17 @@ Coincidence coincidence(const Ray& ray, double error) {
 
 OptionalHit intersect(const PointedCone& shape, const Ray& ray, double t_max,
                       const RayStart& start) {
-  const double direction_squared = glm::dot(ray.direction, ray.direction);
-  if (start.leaving == Leaving::outward || !usable(ray, direction_squared)) {
-    return {};
-  }
-  if (start.leaving == Leaving::inward) {
-    return leave_cone(ray, t_max, start.feature);
-  }
-  const Recentred line = recentred(ray.origin, ray.direction, direction_squared);
-  // The whole cone lies within 1 of the origin.
-  if (!(glm::dot(line.origin, line.origin) <= 1 + gamma(8))) {
-    return {};
-  }
-  Chord chord;
-  clip_side(chord, line.origin, ray.direction);
-  chord.clip_slab(line.origin.y, ray.direction.y, 0, disc_feature, 1, side_feature);
-  if (chord.empty()) {
-    return {};
-  }
-  if (start.position_error > 0) {
-    const auto [side, feature] = coincidence(ray, start.position_error);
-    if (side != Leaving::nothing) {
-      return intersect(shape, ray, t_max, {side, feature, 0});
-    }
-  }
-  chord.t_in = line.ray_parameter(chord.t_in);
-  chord.t_out = line.ray_parameter(chord.t_out);
-  return first_hit(chord, t_max);
+  return intersect_convex<chord_of, coincidence, leave>(shape, ray, t_max, start);
 }
 
 SurfacePoint surface_point(const PointedCone&, const Ray& ray, const ShapeHit& hit) {
-  Vec3 p = fused_at(ray.origin, ray.direction, hit.t);
   if (hit.feature == disc_feature) {
-    p.y = 0;
-    return {p, Vec3(0, -1, 0), Vec3(0, -1, 0)};
+    return level_point(ray, hit.t, 0, -1);
   }
+  const Vec3 p = fused_at(ray.origin, ray.direction, hit.t);
   const Meridian m = meridian(p);
   const Vec3 normal = slant * Vec3(m.cosine, 1, m.sine);
-  const double off = slant * (m.radius - (1 - p.y));
+  const double off = slant * (m.radius - side.width_at(p.y));
   return {p - off * normal, normal, normal};
 }
 
@@ -155,7 +91,7 @@ SurfaceCoordinates surface_coordinates(const PointedCone&, const SurfacePoint& p
                                        std::uint32_t feature) {
   const Vec3& p = point.position;
   if (feature == disc_feature) {
-    return {{(1 + p.x) / 2, (1 + p.z) / 2}, Vec3(2, 0, 0), Vec3(0, 0, 2)};
+    return disc_coordinates(p, -1);
   }
   const Meridian m = meridian(p);
   return {{turns(p.z, p.x), glm::clamp(p.y, 0.0, 1.0)},
