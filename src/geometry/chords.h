@@ -142,15 +142,16 @@ inline void clip_nappe(Chord& chord, const Nappe& nappe, const Ray& ray, const R
   const double second = sum == 0 && steeper ? first : q.c / sum;
   const double lo = std::min(first, second);
   const double hi = std::max(first, second);
-  if (!(root >= 0) || (sum == 0 && !steeper)) {  // passes by, at most touches the apex
+  // A flatter line crosses one nappe twice: the other one, perhaps, or at most touches the apex.
+  const bool below_apex = steeper || (sum != 0 && o.y + second * d.y <= nappe.apex);
+  if (!(root >= 0 && below_apex)) {
     chord.t_out = -infinity;
-  } else if (steeper) {  // downward the line stays inside for ever
-    d.y < 0 ? chord.clip(hi, feature, infinity, feature)
-            : chord.clip(-infinity, feature, lo, feature);
-  } else if (o.y + second * d.y <= nappe.apex) {  // flatter: both crossings are of one nappe
+  } else if (!steeper) {
     chord.clip(lo, feature, hi, feature);
+  } else if (d.y < 0) {  // downward the line stays inside for ever
+    chord.clip(hi, feature, infinity, feature);
   } else {
-    chord.t_out = -infinity;
+    chord.clip(-infinity, feature, lo, feature);
   }
 }
 

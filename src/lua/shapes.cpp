@@ -59,15 +59,28 @@ int make_cylinder(Call& call) { return push_plain<Cylinder>(call); }
 
 int make_cone(Call& call) { return push_plain<PointedCone>(call); }
 
-int make_torus(Call& call) {
-  const Value second = call.argument(2, call.argument(3).given() ? "R" : "r");
+/// "(name)", "(name, thickness)" or "(name, size, thickness)": sets the numbers that are given.
+void read_size_and_thickness(const Call& call, std::string_view size_name, double& size,
+                             double& thickness) {
+  const Value second = call.argument(2, call.argument(3).given() ? size_name : "r");
   const Value third = call.argument(3, "r");
-  Torus torus;
   if (third.given()) {
-    torus = {second.number(positive), third.number(positive)};
+    size = second.number(positive);
+    thickness = third.number(positive);
   } else if (second.given()) {
-    torus.minor_radius = second.number(positive);
+    thickness = second.number(positive);
   }
+}
+
+int make_capsule(Call& call) {
+  Capsule capsule;
+  read_size_and_thickness(call, "length", capsule.length, capsule.radius);
+  return push_own(call, capsule);
+}
+
+int make_torus(Call& call) {
+  Torus torus;
+  read_size_and_thickness(call, "R", torus.major_radius, torus.minor_radius);
   return push_own(call, torus);
 }
 
@@ -103,6 +116,11 @@ constexpr std::array table{
             "Radius 1 about the y axis, from y = 0 to 1, closed.", R"(gr.cylinder("can"))"},
     Binding{"gr.cone", guarded<make_cone>, 1, "(name: string): node",
             "Radius 1 at y = 0, where it is closed; its apex at (0, 1, 0).", R"(gr.cone("hat"))"},
+    Binding{"gr.capsule", guarded<make_capsule>, 3,
+            "(name: string), (name: string, r: number) or (name: string, length: number, r: "
+            "number): node",
+            "All within r = 0.25 of the line from (0, 0, 0) to (0, length = 1, 0), unless given.",
+            R"(gr.capsule("arm", 1, 0.25))"},
     Binding{"gr.torus", guarded<make_torus>, 3,
             "(name: string), (name: string, r: number) or (name: string, R: number, r: number): "
             "node",

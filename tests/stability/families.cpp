@@ -63,6 +63,7 @@ std::vector<Family> families(const std::string& shape) {
   add("cylinder", {random, grazing, far, axis, double_root, non_uniform, inside, edge});
   add("cone", {random, grazing, far, axis, double_root, non_uniform, inside, edge});
   add("blob", {random, grazing, far, axis, double_root, non_uniform, inside, edge});
+  add("capsule", {random, grazing, far, axis, double_root, non_uniform, inside, edge});
   add("box", {random, far, axis, non_uniform, inside, edge});
   add("plane", {random, grazing, far});
   add("square", {random, far, axis, edge});

@@ -19,6 +19,7 @@
 
 #include "rt/geometry/blob.h"
 #include "rt/geometry/box.h"
+#include "rt/geometry/capsule.h"
 #include "rt/geometry/cone.h"
 #include "rt/geometry/cylinder.h"
 #include "rt/geometry/mesh.h"
@@ -28,7 +29,8 @@
 
 namespace rt {
 
-using Shape = std::variant<Sphere, Box, Plane, Square, Cylinder, PointedCone, Torus, Blob, Mesh>;
+using Shape =
+    std::variant<Sphere, Box, Plane, Square, Cylinder, PointedCone, Capsule, Torus, Blob, Mesh>;
 
 /// What is known of a kind of shape without looking at one.
 struct ShapeTraits {
@@ -37,10 +39,11 @@ struct ShapeTraits {
 };
 
 /// In the order of the variant.
-inline constexpr std::array shape_traits{
-    ShapeTraits{"sphere", true}, ShapeTraits{"box", true},      ShapeTraits{"plane", true},
-    ShapeTraits{"square", true}, ShapeTraits{"cylinder", true}, ShapeTraits{"cone", true},
-    ShapeTraits{"torus", false}, ShapeTraits{"blob", true},     ShapeTraits{"mesh", false}};
+inline constexpr std::array shape_traits{ShapeTraits{"sphere", true},   ShapeTraits{"box", true},
+                                         ShapeTraits{"plane", true},    ShapeTraits{"square", true},
+                                         ShapeTraits{"cylinder", true}, ShapeTraits{"cone", true},
+                                         ShapeTraits{"capsule", true},  ShapeTraits{"torus", false},
+                                         ShapeTraits{"blob", true},     ShapeTraits{"mesh", false}};
 static_assert(shape_traits.size() == std::variant_size_v<Shape>);
 
 inline const char* shape_kind(const Shape& shape) { return shape_traits[shape.index()].kind; }
