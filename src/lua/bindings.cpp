@@ -18,7 +18,7 @@ constexpr std::array table{
     Binding{"gr.light", guarded<make_light>, 4,
             "(position: {x, y, z}, colour: colour, falloff: {c0, c1, c2}, radius?: number) or "
             "{position: {x, y, z}, colour?: colour, falloff?: {c0, c1, c2}, radius?: number, "
-            "u?: {x, y, z}, v?: {x, y, z}, visible?: boolean}: light",
+            "u?: {x, y, z}, v?: {x, y, z}, visible?: boolean, to?: {x, y, z}}: light",
             "A light that dims as 1 / (c0 + c1 d + c2 d^2).",
             "gr.light({0, 10, 5}, {1, 1, 1}, {1, 0, 0})"},
     Binding{"gr.checker", guarded<make_checker>, 3,
@@ -31,15 +31,17 @@ constexpr std::array table{
             "A picture (PNG, JPEG, BMP, TGA, TIFF, EXR, HDR) laid on by the surface's coordinates "
             "times `scale`; `wrap` says what is beyond it: repeat, clamp, mirror or black.",
             R"(gr.texture("brick.jpg", {2, 2}))"},
-    Binding{"gr.render", guarded<render>, 11,
-            "(scene: node, file: string, width: number, height: number, eye: {x, y, z}, view: {x, "
-            "y, z}, up: {x, y, z}, fov: number, ambient: colour, lights: {light, ...}, options?: "
-            "table) or {scene: node, file: string, size: {w, h}, camera: {eye: {x, y, z}, "
-            "view?: {x, y, z}, look_at?: {x, y, z}, up?: {x, y, z}, fov?: number}, "
-            "ambient?: colour, lights?: {light, ...}, ...options}",
-            "Renders the graph as it is now into a picture file.",
-            R"(gr.render{scene = root, file = "a.png", size = {640, 480}, )"
-            R"(camera = {eye = {0, 0, 5}, look_at = {0, 0, 0}}, lights = {l}})"},
+    Binding{
+        "gr.render", guarded<render>, 11,
+        "(scene: node, file: string, width: number, height: number, eye: {x, y, z}, view: {x, "
+        "y, z}, up: {x, y, z}, fov: number, ambient: colour, lights: {light, ...}, options?: "
+        "table) or {scene: node, file: string, size: {w, h}, camera: {eye: {x, y, z}, "
+        "view?: {x, y, z}, look_at?: {x, y, z}, up?: {x, y, z}, fov?: number, aperture?: number, "
+        "focus?: number, to?: table}, "
+        "ambient?: colour, lights?: {light, ...}, ...options}",
+        "Renders the graph as it is now into a picture file.",
+        R"(gr.render{scene = root, file = "a.png", size = {640, 480}, )"
+        R"(camera = {eye = {0, 0, 5}, look_at = {0, 0, 0}}, lights = {l}})"},
     Binding{"node:add_child", guarded<node_add_child>, 1, "(child: node): node",
             "Puts a node below this one; a node may have several parents.",
             "node:add_child(child)"},
