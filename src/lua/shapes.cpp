@@ -119,7 +119,7 @@ constexpr std::array table{
     Binding{"gr.capsule", guarded<make_capsule>, 3,
             "(name: string), (name: string, r: number) or (name: string, length: number, r: "
             "number): node",
-            "All within r = 0.25 of the line from (0, 0, 0) to (0, length = 1, 0), unless given.",
+            "All within r of the line from (0, 0, 0) to (0, length, 0): 0.25 and 1, unless given.",
             R"(gr.capsule("arm", 1, 0.25))"},
     Binding{"gr.torus", guarded<make_torus>, 3,
             "(name: string), (name: string, r: number) or (name: string, R: number, r: number): "
