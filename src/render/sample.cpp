@@ -5,12 +5,10 @@
 
 #include "rt/math/filter.h"
 #include "rt/math/warp.h"
+#include "rt/render/packet/packet_sample.h"
 
 namespace rt {
-namespace {
 
-/// The ray through picture coordinates. With a lens it starts anywhere on it and meets the others
-/// of that place in the plane in focus.
 TraceRay lens_ray(const CameraFrame& camera, double px, double py, const Sampler& sample) {
   const Vec3 direction = camera.direction(px, py);
   if (camera.lens_radius == 0.0) {
@@ -20,6 +18,8 @@ TraceRay lens_ray(const CameraFrame& camera, double px, double py, const Sampler
   const Vec3 origin = lens.x * glm::normalize(camera.right) + lens.y * glm::normalize(camera.down);
   return {origin, direction - origin / camera.focus};
 }
+
+namespace {
 
 /// The ray of a scene where something moves: at a time of its own.
 TraceRay moving_ray(const RenderPlan& plan, double px, double py, const Sampler& sample) {
@@ -39,6 +39,15 @@ TraceRay moving_ray(const RenderPlan& plan, double px, double py, const Sampler&
 }
 
 }  // namespace
+
+PixelSampler::PixelSampler(const RenderPlan& plan) : tracer_(plan), sight_(plan) {
+  if (PacketTracer::serves(plan)) {
+    packets_ = std::make_unique<PacketSampler>(plan);
+  }
+}
+
+PixelSampler::~PixelSampler() = default;
+PixelSampler::PixelSampler(PixelSampler&&) noexcept = default;
 
 std::optional<Rgb> PixelSampler::take_at(int x, int y, const Vec2& offset, const Sampler& sample,
                                          RenderStatistics& statistics) {
@@ -62,6 +71,20 @@ std::optional<Rgb> PixelSampler::take(int x, int y, const Sampler& sample,
                                       RenderStatistics& statistics) {
   const Vec2 offset = filter_offset(tracer_.plan().options.filter, sample.pixel());
   return take_at(x, y, 0.5 + offset, sample, statistics);
+}
+
+void PixelSampler::take_all(std::span<const PixelSample> wanted,
+                            std::span<std::optional<Rgb>> values, RenderStatistics& statistics) {
+  if (packets_) {
+    packets_->take(wanted, values, statistics, sight_);
+    return;
+  }
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const PixelSample& s = wanted[i];
+    const Sampler sampler(tracer_.plan().options.seed, s.x, s.y, s.index);
+    values[i] = s.at_centre ? take_at(s.x, s.y, Vec2(0.5), sampler, statistics)
+                            : take(s.x, s.y, sampler, statistics);
+  }
 }
 
 }  // namespace rt

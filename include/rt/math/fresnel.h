@@ -11,7 +11,8 @@ namespace rt {
 /// cos^2 of the angle of refraction; negative where all is reflected, and 0 at the critical angle.
 /// From Snell's law n2^2 cos2^2 = n2^2 - n1^2 sin1^2 = (n2-n1)(n2+n1) + n1^2 cos1^2: no difference
 /// of nearly equal products when n1 and n2 agree, nor at normal incidence.
-inline double cos2_transmitted(double cos_i, double n1, double n2) {
+template <class Real>
+Real cos2_transmitted(const Real& cos_i, const Real& n1, const Real& n2) {
   return ((n2 - n1) * (n2 + n1) + n1 * cos_i * (n1 * cos_i)) / (n2 * n2);
 }
 

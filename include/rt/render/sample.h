@@ -1,6 +1,8 @@
 #pragma once
 /// One sample of a pixel: the camera's ray at a place on the pixel's filter and on the lens.
+#include <memory>
 #include <optional>
+#include <span>
 
 #include "rt/render/accel/sight_cache.h"
 #include "rt/render/statistics.h"
@@ -8,10 +10,25 @@
 
 namespace rt {
 
+class PacketSampler;
+
+/// A sample that is wanted.
+struct PixelSample {
+  int x, y;
+  std::uint32_t index;
+  bool at_centre = false;  ///< of the pixel; otherwise where the filter says
+};
+
+/// The ray through picture coordinates in [0,1]^2. With a lens it starts anywhere on it and meets
+/// the others of that place in the plane in focus. Not normalised.
+TraceRay lens_ray(const CameraFrame& camera, double px, double py, const Sampler& sample);
+
 /// Takes samples. One a thread.
 class PixelSampler {
  public:
-  explicit PixelSampler(const RenderPlan& plan) : tracer_(plan), sight_(plan) {}
+  explicit PixelSampler(const RenderPlan& plan);
+  ~PixelSampler();
+  PixelSampler(PixelSampler&&) noexcept;
 
   const RenderPlan& plan() const { return tracer_.plan(); }
 
@@ -23,9 +40,15 @@ class PixelSampler {
   std::optional<Rgb> take_at(int x, int y, const Vec2& offset, const Sampler& sample,
                              RenderStatistics& statistics);
 
+  /// Those samples, as take() would; several at a time where the scene allows. Neighbours should be
+  /// next to each other.
+  void take_all(std::span<const PixelSample> wanted, std::span<std::optional<Rgb>> values,
+                RenderStatistics& statistics);
+
  private:
   Tracer tracer_;
   SightCache sight_;
+  std::unique_ptr<PacketSampler> packets_;  ///< where they serve
 };
 
 }  // namespace rt

@@ -1,0 +1,158 @@
+#pragma once
+/// What the rays of a packet may cross, found together.
+#include "rt/render/accel/box_list.h"
+#include "rt/render/accel/box_tree.h"
+#include "rt/render/accel/grid.h"
+#include "rt/render/packet/packet.h"
+#include "rt/render/plan.h"
+
+namespace rt {
+
+/// A packet in the space of the boxes.
+class PacketBoxRays {
+ public:
+  /// Lanes that pass all boxes by are taken out.
+  PacketBoxRays(const BoxSpace& space, const Packet& packet, const Wide& t_max) {
+    per_t_ = space.per_unit();
+    const Wide3 origin = (packet.ray.origin - Wide3(space.centre())) * per_t_;
+    const unsigned near = bits_of(max_abs(origin) < BoxSpace::reach_of_rays) & packet.active;
+    const Wide3& d = packet.ray.direction;
+    const Wide3 inverse{inverse_of(d.x), inverse_of(d.y), inverse_of(d.z)};
+    active_ = near;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      rays_[i].origin = {static_cast<float>(origin.x[i]), static_cast<float>(origin.y[i]),
+                         static_cast<float>(origin.z[i])};
+      rays_[i].inverse = {static_cast<float>(inverse.x[i]), static_cast<float>(inverse.y[i]),
+                          static_cast<float>(inverse.z[i])};
+    }
+    each_lane(packet.active & ~near, [&](int i) {
+      const auto at = static_cast<std::size_t>(i);
+      if (space.enter(packet.ray.lane(i), rays_[at])) {
+        active_ |= 1U << i;
+        entry_[at] = rays_[at].entry;
+      }
+    });
+    limit(t_max);
+  }
+
+  unsigned active() const { return active_; }
+
+  /// Where lanes end from now on; those with a negative t_max leave.
+  void limit(const Wide& t_max) {
+    const Wide far = t_max * per_t_ - entry_;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      limits_[i] = BoxRay::beyond_rounding(static_cast<float>(far[i]));
+    }
+    ended_ = bits_of(t_max < 0.0);
+  }
+  /// Which lanes of `bits` do not end before the float parameter.
+  unsigned before_end(unsigned bits, float near) const {
+    unsigned out = 0;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      out |= static_cast<unsigned>(!(near > limits_[i])) << i;
+    }
+    return out & bits & ~ended_;
+  }
+
+  /// What the lanes may touch of a group of boxes.
+  struct Touched {
+    unsigned boxes = 0;                    ///< that some lane may touch
+    std::array<unsigned, lanes> by_lane{};  ///< the boxes that one lane may
+    alignas(32) float near[BoxGroup::width];  ///< where the first lane enters, or earlier
+
+    unsigned lanes_at(int box) const {
+      unsigned out = 0;
+      for (std::size_t i = 0; i < lanes; ++i) {
+        out |= (by_lane[i] >> box & 1U) << i;
+      }
+      return out;
+    }
+  };
+  Touched touched(const BoxGroup& group, unsigned bits) const {
+    Touched out;
+    BoxGroup::Floats nearest = std::numeric_limits<float>::infinity();
+    each_lane(bits, [&](int i) {
+      const auto at = static_cast<std::size_t>(i);
+      BoxGroup::Floats near;
+      out.by_lane[at] = group.touched(rays_[at], limits_[at], near);
+      out.boxes |= out.by_lane[at];
+      nearest = min(nearest, near);
+    });
+    nearest.copy_to(out.near, stdx::vector_aligned);
+    return out;
+  }
+
+ private:
+  /// As BoxSpace::inverse_of().
+  static Wide inverse_of(const Wide& d) {
+    return select(abs(d) * BoxSpace::endless > 1.0, 1.0 / d,
+                  stdx::copysign(Wide(BoxSpace::endless), d));
+  }
+
+  std::array<BoxRay, lanes> rays_;
+  std::array<float, lanes> limits_{};
+  Wide per_t_{0.0};
+  Wide entry_{0.0};
+  unsigned active_ = 0;
+  unsigned ended_ = 0;
+};
+
+/// Calls visit(index, lanes) -> Wide for every box of a list that lanes may touch; what it returns
+/// is the lanes' new t_max.
+template <class Visit>
+void walk_packet(const BoxList& list, const Packet& packet, const Wide& t_max, Visit&& visit) {
+  PacketBoxRays rays(list.space(), packet, t_max);
+  const auto& groups = list.groups();
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const auto touched = rays.touched(groups[g], rays.active());
+    for (unsigned hits = touched.boxes; hits != 0;) {
+      const int box = BoxGroup::nearest(hits, touched.near);
+      hits &= ~(1U << box);
+      if (const unsigned bits = rays.before_end(touched.lanes_at(box), touched.near[box])) {
+        rays.limit(visit(static_cast<std::uint32_t>(BoxGroup::width * g) +
+                             static_cast<std::uint32_t>(box),
+                         bits));
+      }
+    }
+  }
+}
+
+/// The same for a hierarchy.
+template <class Visit>
+void walk_packet(const BoxTree& tree, const Packet& packet, const Wide& t_max, Visit&& visit) {
+  PacketBoxRays rays(tree.space(), packet, t_max);
+  tree.walk_together(rays, visit);
+}
+
+/// Calls visit(instance, lanes) -> Wide for all that lanes of the packet may cross before t_max;
+/// what it returns is their new t_max, negative where a lane's search has ended.
+template <class Visit>
+void each_candidate(const RenderPlan& plan, const Packet& packet, Wide t_max, Visit visit) {
+  for (const std::uint32_t id : plan.unbounded) {
+    t_max = visit(id, packet.active);
+  }
+  const auto visit_box = [&](std::uint32_t index, unsigned bits) {
+    return visit(plan.bounded[index], bits);
+  };
+  if (plan.list) {
+    walk_packet(*plan.list, packet, t_max, visit_box);
+  } else if (plan.tree) {
+    walk_packet(*plan.tree, packet, t_max, visit_box);
+  } else if (plan.grid) {
+    each_lane(packet.active, [&](int i) {
+      const auto at = static_cast<std::size_t>(i);
+      if (!(t_max[at] < 0.0)) {
+        plan.grid->walk(packet.ray.lane(i), t_max[at], [&](std::uint32_t index) {
+          t_max = visit_box(index, 1U << i);
+          return double{t_max[at]};
+        });
+      }
+    });
+  } else {
+    for (std::uint32_t index = 0; index < plan.bounded.size(); ++index) {
+      visit_box(index, packet.active);
+    }
+  }
+}
+
+}  // namespace rt
