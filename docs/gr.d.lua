@@ -1,6 +1,6 @@
 ---@meta
--- What scene scripts can call, for editors. Written out from the table in
--- src/lua/bindings.cpp; a test says how when it is out of date.
+-- What scene scripts can call, for editors. Written out from the tables in src/lua
+-- (bindings.cpp, shapes.cpp); a test says how when it is out of date.
 
 ---A colour {r, g, b}, or one number for a grey; linear, not negative.
 ---@alias gr.Colour number|number[]
@@ -70,6 +70,15 @@ function gr.cylinder(name) end
 ---@return gr.Node
 function gr.cone(name) end
 
+---All within r of the line from (0, 0, 0) to (0, length, 0): 0.25 and 1, unless given.
+---
+---Example: `gr.capsule("arm", 1, 0.25)`
+---@param name string
+---@return gr.Node
+---@overload fun(name: string, r: number): gr.Node
+---@overload fun(name: string, length: number, r: number): gr.Node
+function gr.capsule(name) end
+
 ---A ring about the y axis: R = 1, and a tube of radius r = 0.25, unless given.
 ---
 ---Example: `gr.torus("ring", 1, 0.25)`
@@ -134,7 +143,7 @@ function gr.material(kd, ks, shininess, ior, opacity, glossiness) end
 ---@param falloff number[]
 ---@param radius? number
 ---@return gr.Light
----@overload fun(fields: { position: number[], colour?: gr.Colour, falloff?: number[], radius?: number, u?: number[], v?: number[], visible?: boolean }): gr.Light
+---@overload fun(fields: { position: number[], colour?: gr.Colour, falloff?: number[], radius?: number, u?: number[], v?: number[], visible?: boolean, to?: number[] }): gr.Light
 function gr.light(position, colour, falloff, radius) end
 
 ---A solid checker of cubes with edges of that size (1 unless given) in model space.
@@ -169,7 +178,7 @@ function gr.texture(file, scale) end
 ---@param ambient gr.Colour
 ---@param lights gr.Light[]
 ---@param options? table
----@overload fun(fields: { scene: gr.Node, file: string, size: number[], camera: { eye: number[], view?: number[], look_at?: number[], up?: number[], fov?: number }, ambient?: gr.Colour, lights?: gr.Light[], background?: gr.Colour|{ top: gr.Colour, bottom: gr.Colour }, samples?: number, max_error?: number, max_samples?: number, time_limit?: number, filter?: string, aa?: string, seed?: number, max_depth?: number, encoding?: string, accel?: string, reflection?: boolean, refraction?: boolean, soft_shadows?: boolean, glossy?: boolean, antialiasing?: boolean, adaptive?: boolean, motion_blur?: boolean, textures?: boolean, noise?: boolean, texture_filter?: boolean, acceleration?: boolean })
+---@overload fun(fields: { scene: gr.Node, file: string, size: number[], camera: { eye: number[], view?: number[], look_at?: number[], up?: number[], fov?: number, aperture?: number, focus?: number, to?: table }, ambient?: gr.Colour, lights?: gr.Light[], background?: gr.Colour|{ top: gr.Colour, bottom: gr.Colour }, samples?: number, max_error?: number, max_samples?: number, time_limit?: number, filter?: string, aa?: string, seed?: number, max_depth?: number, encoding?: string, accel?: string, reflection?: boolean, refraction?: boolean, soft_shadows?: boolean, glossy?: boolean, antialiasing?: boolean, adaptive?: boolean, motion_blur?: boolean, textures?: boolean, noise?: boolean, texture_filter?: boolean, acceleration?: boolean })
 function gr.render(scene, file, width, height, eye, view, up, fov, ambient, lights, options) end
 
 ---Puts a node below this one; a node may have several parents.

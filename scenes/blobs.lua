@@ -22,7 +22,7 @@ local yellow = shiny{0.90, 0.55, 0.06}
 local glint = gr.material{kd = 0, emission = 1}
 local brass, silver = metal({0.88, 0.62, 0.28}, 0.12), metal({0.9, 0.92, 0.94}, 0)
 local glass = gr.material{kd = 0, ks = 0.5, shininess = 400, ior = 1.5, opacity = 0, absorption = {0.05, 0.015, 0.02}}
-local plaster = matt{0.82, 0.68, 0.52}
+local plaster = matt{0.36, 0.33, 0.46}   -- lavender: brick and skin are warm
 local timber = gr.material{kd = {0.55, 0.5, 0.42}, ks = 0.15, shininess = 30}
 
 -- The room -----------------------------------------------------------------------------------
@@ -58,6 +58,10 @@ for _, bar in ipairs{{-0.12, 1.38, 4.74, 0.24}, {-0.12, 4.38, 4.74, 0.24}, {-0.1
 end
 add(gr.nh_box("sill", {-0.3, 1.3, -4}, {5.1, 0.12, 0.45}):set_material(timber))
 
+local function ball(name, centre, radius, material)
+  return gr.nh_sphere(name, centre, radius):set_material(material)
+end
+
 -- Bunting: flags hang from a line that sags between two hooks.
 local flag_colours = {matt{0.85, 0.75, 0.55}, matt{0.05, 0.42, 0.42}, matt{0.80, 0.16, 0.10}, matt{0.90, 0.58, 0.10}}
 local flag = {{-0.32, 0, 0}, {0.32, 0, 0}, {0, -0.62, 0}}
@@ -73,15 +77,12 @@ local function bunting(x0, x1, y, sag, flags)
     add(gr.cylinder("line"):set_material(timber):translate(0, -0.5, 0):scale(0.015, length, 0.015)
       :rotate('z', slope - 90):translate(x, height, -3.8))
   end
+  add(ball("hook", {x1, y, -3.8}, 0.07, brass))
 end
 bunting(-6, -0.4, 5.5, 0.7, 7)
 bunting(-0.4, 6, 5.5, 0.45, 8)
 
 -- Things in the room -------------------------------------------------------------------------
-
-local function ball(name, centre, radius, material)
-  return gr.nh_sphere(name, centre, radius):set_material(material)
-end
 
 -- A sphere that is stretched: arms, feet, cheeks.
 local function egg(name, size, material)
@@ -96,7 +97,7 @@ bell:add_child(gr.blob("body"))
 bell:add_child(gr.torus("rim", 1.22, 0.1):translate(0, -1, 0))
 bell:add_child(gr.cylinder("handle"):scale(0.13, 0.6, 0.13):translate(0, 0.9, 0))
 bell:add_child(gr.nh_sphere("knob", {0, 1.6, 0}, 0.28))
-add(bell:translate(0, 1.1, 0):scale(0.5):translate(4.35, 0, 0.4))
+add(bell:translate(0, 1.1, 0):scale(0.5):translate(4.7, 0, 0.2))
 
 -- A mirror stands against the wall.
 local mirror = gr.node("mirror")
@@ -115,8 +116,8 @@ doughnut:add_child(gr.torus("icing", 0.62, 0.335):set_material(pink):scale(1, 0.
 local sprinkle_colours = {shiny{0.9, 0.9, 0.85}, shiny{0.1, 0.5, 0.6}, shiny{0.95, 0.7, 0.1}, shiny{0.4, 0.65, 0.2}}
 for i = 1, 60 do
   local around, across = i * 137.5, 20 + (i * 47) % 140     -- degrees: about the axis, over the tube
-  doughnut:add_child(gr.cylinder("sprinkle"):set_material(sprinkle_colours[i % 4 + 1])
-    :translate(0, -0.5, 0):scale(0.026, 0.13, 0.026):rotate('x', 90):rotate('y', i * 73)
+  doughnut:add_child(gr.capsule("sprinkle", 0.09, 0.024):set_material(sprinkle_colours[i % 4 + 1])
+    :translate(0, -0.045, 0):rotate('x', 90):rotate('y', i * 73)
     :translate(0, 0.345, 0):rotate('z', across - 90):translate(0.62, 0, 0):rotate('y', around)
     :scale(1, 0.9, 1):translate(0, 0.41, 0))
 end
@@ -124,7 +125,7 @@ add(doughnut:scale(0.74):translate(-0.12, 0, 2.25))
 
 -- A present, with a ribbon.
 local present = gr.node("present")
-present:add_child(gr.nh_box("box", {-0.5, 0, -0.5}, {1, 0.8, 1}):set_material(shiny{0.16, 0.20, 0.50}))
+present:add_child(gr.nh_box("box", {-0.5, 0, -0.5}, {1, 0.8, 1}):set_material(shiny{0.16, 0.42, 0.12}))
 present:add_child(gr.nh_box("ribbon", {-0.51, 0, -0.1}, {1.02, 0.81, 0.2}):set_material(yellow))
 present:add_child(gr.nh_box("ribbon", {-0.1, 0, -0.51}, {0.2, 0.815, 1.02}):set_material(yellow))
 for side = -1, 1, 2 do
@@ -202,12 +203,13 @@ pip:add_child(gr.torus("ring", 1.28, 0.27):set_material(white):set_texture(gr.ch
 add(pip:scale(0.85):rotate('z', -12):rotate('y', -14):translate(1.3, 1.3, 0.3)
   :motion{from = {translate = {0, -0.045, 0}}, to = {translate = {0, 0.045, 0}}})
 
--- The moon, outside. Craters are noise through a ramp of heights: floor, wall, rim, plain. ------
+-- The moon, outside: dark stone in a bright sun, so that its far side is night. Craters are noise through
+-- a ramp of heights: floor, wall, rim, plain. ---------------------------------------------------
 
 local moon = gr.sphere("moon"):set_material(gr.material{kd = 1})
 moon:perlin_noise{seed = 12, octaves = {{scale = 1.15, weight = 1}, {scale = 2.6, weight = 0.5}, {scale = 6, weight = 0.25},
     {scale = 14, weight = 0.2}},
-  ramp = {{0.32, {0.22, 0.21, 0.20}}, {0.46, {0.36, 0.35, 0.33}}, {0.54, {0.68, 0.66, 0.62}}, {0.72, {0.9, 0.88, 0.82}}}}
+  ramp = {{0.32, {0.11, 0.105, 0.10}}, {0.46, {0.18, 0.175, 0.165}}, {0.54, {0.34, 0.33, 0.31}}, {0.72, {0.45, 0.44, 0.41}}}}
 local crater = {{0.14, 0.1}, {0.22, 0}, {0.28, 0.2}, {0.33, 1}, {0.37, 0.8}, {0.44, 0.6}}
 for i, scale in ipairs{2.6, 6.1, 13.7} do
   moon:perlin_noise{on = "bump", add = true, seed = 20 + i, strength = 0.1 / scale, octaves = {{scale = scale}}, ramp = crater}
@@ -220,13 +222,13 @@ end
 -- Light and camera ---------------------------------------------------------------------------
 
 local lights = {
-  -- At the ceiling: a rectangle, so that shadows are soft.
-  gr.light{position = {-1.8, 7.4, 4.2}, u = {2.4, 0, 0}, v = {0, 0, 1.6}, visible = true,
-           colour = {1.55, 1.4, 1.16}, falloff = {0.6, 0, 0.015}},
-  gr.light{position = {24, 16, 4}, colour = {1.3, 1.22, 1.02}},     -- the sun, on the moon
+  -- At the ceiling: a rectangle, so that shadows are soft; to the left, so that they show what is round.
+  gr.light{position = {-3.4, 7.4, 4.0}, u = {2.4, 0, 0}, v = {0, 0, 1.6}, visible = true,
+           colour = {1.9, 1.7, 1.4}, falloff = {0.6, 0, 0.015}},
+  gr.light{position = {24, 16, 4}, colour = {2.6, 2.44, 2.04}},     -- the sun, on the moon
 }
 
 gr.render{scene = room, file = "blobs.png", size = {1280, 720}, max_error = 0.01,
   camera = {eye = {0.3, 3.0, 10.3}, look_at = {0.3, 1.95, 0}, fov = 34},
-  ambient = {0.16, 0.155, 0.18}, lights = lights,
+  ambient = {0.10, 0.105, 0.14}, lights = lights,
   background = {top = {0.006, 0.012, 0.05}, bottom = {0.03, 0.05, 0.14}}}

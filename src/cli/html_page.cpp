@@ -7,7 +7,7 @@
 namespace rt::cli {
 namespace {
 
-constexpr std::string_view kStyle = R"(
+constexpr std::string_view style = R"(
 body { font: 15px/1.45 sans-serif; color: #222; background: #fff; margin: 2em auto; max-width: 75em; padding: 0 1em }
 h1, h2 { font-weight: 600 } h3 { margin-bottom: .3em }
 .pictures { display: flex; flex-wrap: wrap; gap: 1em }
@@ -58,7 +58,7 @@ std::string phases_table(const Phases& phases) {
       {"compiling the scene, building what finds hits", phases.plan},
       {"tracing", phases.trace},
       {"writing the picture, loading of OpenImageIO included", phases.write}};
-  double most = 1e-9;
+  double most = 0.0;
   for (const auto& row : rows) {
     most = std::max(most, row.second);
   }
@@ -67,7 +67,7 @@ std::string phases_table(const Phases& phases) {
     out += fmt::format(
         "<tr><td>{}</td><td class=\"number\">{:.4f} s</td>"
         "<td class=\"bar\"><div style=\"width:{:.1f}%\"></div></td></tr>\n",
-        name, seconds, 100.0 * seconds / most);
+        name, seconds, most > 0.0 ? 100.0 * seconds / most : 0.0);
   }
   return out +
          fmt::format("</table>\n<p>Processor time of the threads that traced: {:.4f} s.</p>\n",
@@ -89,7 +89,7 @@ std::string html_page(const std::string& scene, const std::string& body) {
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n"
       "<p>raytracer {2}</p>\n{3}</body>\n</html>\n",
-      html_escaped(scene), kStyle, RT_VERSION, body);
+      html_escaped(scene), style, RT_VERSION, body);
 }
 
 }  // namespace rt::cli

@@ -72,7 +72,7 @@ std::string options_table(const RenderOptions& options) {
 
 Rgb error_colour(double error, double target) {
   constexpr double octaves = 4.0;
-  const double at = std::log2(std::max(error, 1e-12) / target) / octaves;
+  const double at = std::log2(error / target) / octaves;  // of no error: -infinity, the bluest
   const Rgb white(0.97, 0.97, 0.97);
   return at < 0.0 ? mixed(white, Rgb(0.02, 0.27, 0.52), -at)
                   : mixed(white, Rgb(0.72, 0.10, 0.07), at);

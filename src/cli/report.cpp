@@ -22,9 +22,14 @@ Json options_in_force(const RenderOptions& options) {
   return json;
 }
 
+/// 0 where no time was measured: a picture can be traced within one tick of the clock.
+double rays_per_second(const PictureReport& r) {
+  const auto rays = static_cast<double>(r.statistics.rays.total());
+  return r.phases.trace > 0.0 ? rays / r.phases.trace : 0.0;
+}
+
 Json picture(const PictureReport& r) {
   const RayCounts& rays = r.statistics.rays;
-  const double seconds = r.phases.trace > 0.0 ? r.phases.trace : 1.0;
   Json json{
       {"picture", r.picture},
       {"size", {r.options.width, r.options.height}},
@@ -43,7 +48,7 @@ Json picture(const PictureReport& r) {
         {"reflection", rays.reflection},
         {"refraction", rays.refraction},
         {"total", rays.total()},
-        {"per_second", static_cast<double>(rays.total()) / seconds}}},
+        {"per_second", rays_per_second(r)}}},
       {"samples", r.statistics.samples},
       {"bad_samples", r.statistics.bad_samples},
       {"options", options_in_force(r.options)},
@@ -76,12 +81,13 @@ std::string error_summary(const PictureReport& r) {
 }  // namespace
 
 std::string summary(const PictureReport& r) {
+  constexpr double million = 1e6;
   const auto rays = static_cast<double>(r.statistics.rays.total());
   const double pixels = static_cast<double>(r.crop.width) * r.crop.height;
   return fmt::format("{}: {}x{}, {:.3g} samples a pixel, {:.2f} s, {:.2f} M rays ({:.1f} M/s){}",
                      r.picture, r.crop.width, r.crop.height,
-                     static_cast<double>(r.statistics.samples) / pixels, r.phases.trace, rays / 1e6,
-                     rays / 1e6 / std::max(r.phases.trace, 1e-9), error_summary(r));
+                     static_cast<double>(r.statistics.samples) / pixels, r.phases.trace,
+                     rays / million, rays_per_second(r) / million, error_summary(r));
 }
 
 void write_stats(const std::filesystem::path& file, const std::filesystem::path& scene, int threads,

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <thread>
 
+#include "rt/cli/identity.h"
 #include "rt/cli/interrupt.h"
 #include "rt/cli/output_path.h"
 #include "rt/cli/say.h"
@@ -19,16 +18,6 @@
 
 namespace rt::cli {
 namespace {
-
-/// FNV-1a of the script's text: names the scene in a picture's metadata.
-std::string hash_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (std::istreambuf_iterator<char> c(in), end; c != end; ++c) {
-    hash = (hash ^ static_cast<unsigned char>(*c)) * 0x100000001b3;
-  }
-  return fmt::format("{:016x}", hash);
-}
 
 /// Where the textures that come with the program are: installed, or in its sources.
 std::filesystem::path shipped_textures() {
@@ -141,7 +130,7 @@ std::map<std::string, std::string> Session::metadata(const RenderOptions& option
   }
   settings.pop_back();
   return {{"Software", "raytracer " RT_VERSION},
-          {"raytracer:scene", hash_of(line_.scene)},
+          {"raytracer:scene", fmt::format("{:016x}", digest_of_file(line_.scene))},
           {"raytracer:settings", settings}};
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "recentre.h"
 #include "rt/geometry/hit.h"
 
 namespace rt {
@@ -66,6 +67,19 @@ inline OptionalHit first_hit(const Chord& chord, double t_max) {
                         : hit_in_range(chord.t_out, chord.out, t_max);
 }
 
+/// The chord of two parts, each convex, whose union is too: the line runs through one part, crosses
+/// the plane of the join and runs through the other. The join itself is never an end of the chord,
+/// so there is no seam to fall through or to hit twice.
+inline Chord joined(const Chord& first, const Chord& second) {
+  if (first.empty()) {
+    return second;
+  }
+  if (second.empty()) {
+    return first;
+  }
+  return {first.t_in, second.t_out, first.in, second.out};
+}
+
 /// Collects the faces of a convex solid that pass within the position error of a ray's origin. The
 /// ray goes in only if it passes to the inner side of every one of them.
 class Touching {
@@ -86,9 +100,48 @@ class Touching {
   bool inward_ = true;
 };
 
+/// A ray that starts on a solid, as far as arithmetic can tell: to which side it leaves, and what.
+struct Coincidence {
+  Leaving side;
+  std::uint32_t feature;
+};
+
 /// False for a ray with a NaN or an infinity in it, or without a direction.
 inline bool usable(const Ray& ray, double direction_squared) {
   return direction_squared > 0 && direction_squared + glm::dot(ray.origin, ray.origin) < infinity;
+}
+
+/// What a ray meets of a convex solid, by three answers that the solid gives:
+///
+///   Chord chord_of(const S&, const Ray&, const Recentred& line, double direction_squared)
+///       The part of the line that lies in it, in the line's local parameter.
+///   Coincidence coincidence(const S&, const Ray&, double error)
+///       The side to which the ray leaves, if its origin lies on the surface within `error`.
+///   OptionalHit leave(const S&, const Ray&, double t_max, std::uint32_t feature)
+///       Where a ray that starts on that feature, going inward, comes out.
+template <auto chord_of, auto coincidence, auto leave, class S>
+OptionalHit intersect_convex(const S& shape, const Ray& ray, double t_max, const RayStart& start) {
+  const double direction_squared = glm::dot(ray.direction, ray.direction);
+  if (start.leaving == Leaving::outward || !usable(ray, direction_squared)) {
+    return {};
+  }
+  if (start.leaving == Leaving::inward) {
+    return leave(shape, ray, t_max, start.feature);
+  }
+  const Recentred line = recentred(ray.origin, ray.direction, direction_squared);
+  Chord chord = chord_of(shape, ray, line, direction_squared);
+  if (chord.empty()) {
+    return {};
+  }
+  if (start.position_error > 0) {
+    const auto [side, feature] = coincidence(shape, ray, start.position_error);
+    if (side != Leaving::nothing) {
+      return side == Leaving::inward ? leave(shape, ray, t_max, feature) : OptionalHit{};
+    }
+  }
+  chord.t_in = line.ray_parameter(chord.t_in);
+  chord.t_out = line.ray_parameter(chord.t_out);
+  return first_hit(chord, t_max);
 }
 
 }  // namespace rt

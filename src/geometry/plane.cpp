@@ -1,7 +1,7 @@
 #include "rt/geometry/plane.h"
 
 #include "convex.h"
-#include "rt/geometry/exact.h"
+#include "disc.h"
 
 namespace rt {
 namespace {
@@ -17,12 +17,6 @@ OptionalHit meet_plane(const Ray& ray, double t_max, const RayStart& start) {
   return hit_in_range(-ray.origin.y / ray.direction.y, 0, t_max);
 }
 
-SurfacePoint point_of_plane(const Ray& ray, const ShapeHit& hit) {
-  Vec3 p = fused_at(ray.origin, ray.direction, hit.t);
-  p.y = 0;
-  return {p, Vec3(0, 1, 0), Vec3(0, 1, 0)};
-}
-
 /// |origin + t direction| <= half in one coordinate, at the exact crossing t = -y / dy rather than
 /// at its rounded value: |origin * dy - y * direction| <= half * |dy|.
 bool within(double origin, double direction, double y, double dy, double half) {
@@ -36,7 +30,7 @@ OptionalHit intersect(const Plane&, const Ray& ray, double t_max, const RayStart
 }
 
 SurfacePoint surface_point(const Plane&, const Ray& ray, const ShapeHit& hit) {
-  return point_of_plane(ray, hit);
+  return level_point(ray, hit.t, 0, 1);
 }
 
 SurfaceCoordinates surface_coordinates(const Plane&, const SurfacePoint& point, std::uint32_t) {
@@ -61,7 +55,7 @@ OptionalHit intersect(const Square& shape, const Ray& ray, double t_max, const R
 }
 
 SurfacePoint surface_point(const Square&, const Ray& ray, const ShapeHit& hit) {
-  return point_of_plane(ray, hit);
+  return level_point(ray, hit.t, 0, 1);
 }
 
 SurfaceCoordinates surface_coordinates(const Square& shape, const SurfacePoint& point,

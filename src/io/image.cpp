@@ -29,11 +29,11 @@ struct Format {
 
 using namespace std::string_view_literals;
 
-constexpr int kAny = 1 << 20;  // libpng's own limit; the others do not come near it
-constexpr std::array kFormats{
+constexpr int any_side = 1 << 20;  // libpng's own limit; the others do not come near it
+constexpr std::array formats{
     Format{".png", "png", "\x89PNG\r\n\x1a\n"sv, 1000000},
-    Format{".bmp", "bmp", "BM"sv, kAny},
-    Format{".exr", "openexr", "\x76\x2f\x31\x01"sv, kAny},
+    Format{".bmp", "bmp", "BM"sv, any_side},
+    Format{".exr", "openexr", "\x76\x2f\x31\x01"sv, any_side},
     Format{".jpg", "jpeg", "\xff\xd8\xff"sv, 65500},
     Format{".jpeg", "jpeg", "\xff\xd8\xff"sv, 65500},
     Format{".tga", "targa", ""sv, 65535},
@@ -43,9 +43,9 @@ const Format* format_of(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto* found = std::find_if(kFormats.begin(), kFormats.end(),
+  const auto* found = std::find_if(formats.begin(), formats.end(),
                                    [&](const Format& f) { return f.extension == extension; });
-  return found == kFormats.end() ? nullptr : found;
+  return found == formats.end() ? nullptr : found;
 }
 
 const Format& output_format(const std::filesystem::path& path) {
@@ -76,7 +76,7 @@ const char* reader_of(const std::filesystem::path& path) {
                                 std::generic_category().message(errno ? errno : EISDIR)));
   }
   const std::string_view seen(start.data(), static_cast<std::size_t>(file.gcount()));
-  for (const Format& format : kFormats) {
+  for (const Format& format : formats) {
     if (!format.magic.empty() && seen.starts_with(format.magic)) {
       return format.name;
     }
@@ -147,7 +147,7 @@ void write_image(const std::filesystem::path& path, const Image& image, Encoding
 }
 
 std::vector<unsigned char> encode_png(const Image& image, Encoding encoding) {
-  return encoded("a PNG picture", kFormats.front(), image, encoding, {});
+  return encoded("a PNG picture", formats.front(), image, encoding, {});
 }
 
 Image read_image(const std::filesystem::path& path) {

@@ -74,7 +74,7 @@ class Builder {
   void finish() {
     const auto has_normals = [&](const Corners& corners) {
       return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
-        return corner != kNone && mesh.normals[corner] != Vec3(0.0);
+        return corner != none && mesh.normals[corner] != Vec3(0.0);
       });
     };
     if (std::none_of(mesh.triangle_normals.begin(), mesh.triangle_normals.end(), has_normals)) {
@@ -88,7 +88,7 @@ class Builder {
       }
     }
     const auto has_uvs = [](const Corners& corners) {
-      return std::find(corners.begin(), corners.end(), kNone) == corners.end();
+      return std::find(corners.begin(), corners.end(), none) == corners.end();
     };
     if (std::none_of(mesh.triangle_uvs.begin(), mesh.triangle_uvs.end(), has_uvs)) {
       mesh.uvs.clear();
@@ -113,7 +113,7 @@ class Builder {
   } so_far;
 
  private:
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
   struct Corner {
     std::uint32_t vertex, uv, normal;
   };
@@ -137,7 +137,7 @@ class Builder {
 
   static std::uint32_t resolve_optional(int index, std::size_t so_far, std::size_t all,
                                         const char* what, std::size_t face) {
-    return index == 0 ? kNone : resolve(index, so_far, all, what, face);
+    return index == 0 ? none : resolve(index, so_far, all, what, face);
   }
 
   Vec3 flat_normal(const Corners& corners) const {

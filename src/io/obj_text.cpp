@@ -18,8 +18,8 @@ namespace rt::io {
 namespace {
 
 // Indices are 32-bit, and tinyobjloader keeps them in an int.
-constexpr std::uintmax_t kMaxBytes = std::uintmax_t{4} << 30;
-constexpr std::string_view kBlank = " \t";
+constexpr std::uintmax_t max_bytes = std::uintmax_t{4} << 30;
+constexpr std::string_view blank = " \t";
 
 /// Calls visit(line number from 1, line without leading blanks) until it returns false. Lines end
 /// as they do for tinyobjloader: in \n, \r\n or \r.
@@ -28,7 +28,7 @@ void for_each_line(std::string_view text, F visit) {
   for (std::size_t number = 1; !text.empty(); ++number) {
     const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
     std::string_view line = text.substr(0, end);
-    line.remove_prefix(std::min(line.find_first_not_of(kBlank), line.size()));
+    line.remove_prefix(std::min(line.find_first_not_of(blank), line.size()));
     if (!visit(number, line)) {
       return;
     }
@@ -40,7 +40,7 @@ void for_each_line(std::string_view text, F visit) {
 /// True when the line begins with the keyword and a blank; the rest is what follows.
 bool is_statement(std::string_view line, std::string_view keyword, std::string_view& rest) {
   if (!line.starts_with(keyword) || line.size() == keyword.size() ||
-      kBlank.find(line[keyword.size()]) == std::string_view::npos) {
+      blank.find(line[keyword.size()]) == std::string_view::npos) {
     return false;
   }
   rest = line.substr(keyword.size());
@@ -77,8 +77,8 @@ std::string read_obj_text(const std::filesystem::path& path) {
     fail("it is not a regular file");
   }
   const auto bytes = std::filesystem::file_size(path, error);
-  if (error || bytes > kMaxBytes) {
-    fail(error ? error.message() : fmt::format("{} bytes are more than {}", bytes, kMaxBytes));
+  if (error || bytes > max_bytes) {
+    fail(error ? error.message() : fmt::format("{} bytes are more than {}", bytes, max_bytes));
   }
   std::ifstream file(path, std::ios::binary);
   std::string text(bytes, '\0');
@@ -98,21 +98,21 @@ ObjPoints read_obj_points(std::string_view text, const std::filesystem::path& pa
     std::size_t least;
     std::vector<Vec3> ObjPoints::*list;
   };
-  constexpr std::array kStatements{Statement{"v", 3, &ObjPoints::positions},
-                                   Statement{"vt", 1, &ObjPoints::uvs},
-                                   Statement{"vn", 3, &ObjPoints::normals}};
+  constexpr std::array statements{Statement{"v", 3, &ObjPoints::positions},
+                                  Statement{"vt", 1, &ObjPoints::uvs},
+                                  Statement{"vn", 3, &ObjPoints::normals}};
   ObjPoints points;
   for_each_line(text, [&](std::size_t number, std::string_view line) {
-    for (const auto& [keyword, least, list] : kStatements) {
+    for (const auto& [keyword, least, list] : statements) {
       std::string_view rest;
       if (!is_statement(line, keyword, rest)) {
         continue;
       }
       Vec3 point(0.0);
       std::size_t words = 0;
-      for (std::size_t at = 0; (at = rest.find_first_not_of(kBlank)) != std::string_view::npos;) {
+      for (std::size_t at = 0; (at = rest.find_first_not_of(blank)) != std::string_view::npos;) {
         rest.remove_prefix(at);
-        const auto word = rest.substr(0, rest.find_first_of(kBlank));
+        const auto word = rest.substr(0, rest.find_first_of(blank));
         rest.remove_prefix(word.size());
         if (word.starts_with('#')) {
           break;
@@ -142,7 +142,7 @@ std::size_t line_of_face(std::string_view text, std::size_t n) {
   std::size_t found = 0;
   for_each_line(text, [&](std::size_t number, std::string_view line) {
     std::string_view rest;
-    if (!is_statement(line, "f", rest) || rest.find_first_not_of(kBlank) == rest.npos) {
+    if (!is_statement(line, "f", rest) || rest.find_first_not_of(blank) == rest.npos) {
       return true;
     }
     found = number;

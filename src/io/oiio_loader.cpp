@@ -37,7 +37,7 @@ const OiioTable* load() {
     }
     // Never closed: OpenImageIO does not survive being unloaded.
     void* module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-    void* table = module != nullptr ? dlsym(module, kOiioTableSymbol) : nullptr;
+    void* table = module != nullptr ? dlsym(module, oiio_table_symbol) : nullptr;
     if (table != nullptr) {
       return static_cast<const OiioTable*>(table);
     }

@@ -23,7 +23,7 @@ struct Kind {
   PictureHeader (*parse)(const PictureFile&);
 };
 
-constexpr std::array kKinds{
+constexpr std::array kinds{
     Kind{"\x89PNG\r\n\x1a\n"sv, parse_png},
     Kind{"\xff\xd8\xff"sv, parse_jpeg},
     Kind{"BM"sv, parse_bmp},
@@ -39,7 +39,7 @@ constexpr std::array kKinds{
 PictureHeader parse(const PictureFile& file) {
   std::array<char, 12> start{};
   const std::string_view seen(start.data(), file.read(0, start.data(), start.size()));
-  for (const Kind& kind : kKinds) {
+  for (const Kind& kind : kinds) {
     if (seen.starts_with(kind.magic)) {
       return kind.parse(file);
     }

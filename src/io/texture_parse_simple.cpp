@@ -190,14 +190,14 @@ TgaHeader read_tga(const PictureFile& file) {
   return h;
 }
 
-constexpr std::string_view kTgaFooter{"TRUEVISION-XFILE.\0", 18};
-constexpr std::uint64_t kTgaFooterBytes = 26;  // two offsets, then the text
+constexpr std::string_view tga_footer{"TRUEVISION-XFILE.\0", 18};
+constexpr std::uint64_t tga_footer_bytes = 26;  // two offsets, then the text
 
 bool has_tga_footer(const PictureFile& file) {
-  std::array<char, kTgaFooter.size()> end{};
-  return file.size() > 18 + kTgaFooterBytes &&
+  std::array<char, tga_footer.size()> end{};
+  return file.size() > 18 + tga_footer_bytes &&
          file.read(file.size() - end.size(), end.data(), end.size()) == end.size() &&
-         std::string_view(end.data(), end.size()) == kTgaFooter;
+         std::string_view(end.data(), end.size()) == tga_footer;
 }
 
 bool makes_sense(const TgaHeader& h) {
@@ -234,7 +234,7 @@ PictureHeader parse_tga(const PictureFile& file) {
   const bool runs = (h.kind & 8) != 0;  // a run of 128 pixels takes a byte and a pixel
   header.least_file_bytes =
       18 + h.id_length + palette + (runs ? up(pixels, 128) * (1 + pixel) : pixels * pixel);
-  header.readable_bytes = has_tga_footer(file) ? file.size() - kTgaFooterBytes : file.size();
+  header.readable_bytes = has_tga_footer(file) ? file.size() - tga_footer_bytes : file.size();
   return header;
 }
 

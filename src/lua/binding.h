@@ -1,5 +1,5 @@
 #pragma once
-/// How a function that scripts may call is declared. bindings.cpp holds the one table of them.
+/// How a function that scripts may call is declared.
 #include <lua.hpp>
 #include <span>
 #include <string_view>
@@ -22,6 +22,8 @@ struct Binding {
 
 /// Every function and method there is.
 std::span<const Binding> bindings();
+/// Those of them that make nodes.
+std::span<const Binding> shape_bindings();
 
 /// Each C closure carries its Binding in this upvalue.
 inline constexpr int binding_upvalue = 1;

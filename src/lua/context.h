@@ -98,7 +98,7 @@ struct Charged {
 /// The value shared, and charged for until nobody shares it any more. `beside` counts what it holds
 /// outside itself.
 template <class T>
-std::shared_ptr<T> make_charged(lua_State* L, T&& value, std::size_t beside = 0) {
+std::shared_ptr<T> make_charged(lua_State* L, T value, std::size_t beside = 0) {
   Charge cost(context(L).memory);
   charge(L, cost, sizeof(Charged<T>) + beside);
   auto both = std::make_shared<Charged<T>>(Charged<T>{std::move(value), std::move(cost)});

@@ -6,19 +6,6 @@ namespace rt::lua {
 
 class Call;
 
-// nodes.cpp
-int make_node(Call& call);
-int make_joint(Call& call);
-int make_sphere(Call& call);
-int make_cube(Call& call);
-int make_plane(Call& call);
-int make_cylinder(Call& call);
-int make_cone(Call& call);
-int make_torus(Call& call);
-int make_blob(Call& call);
-int make_nh_sphere(Call& call);
-int make_nh_box(Call& call);
-
 // methods.cpp
 int node_add_child(Call& call);
 int node_set_material(Call& call);

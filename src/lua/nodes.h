@@ -11,7 +11,10 @@ struct ChargedNode : Node {
   Charge charge;
 };
 
-/// Pushes a new node whose name is argument 1. Returns 1.
+/// A node without a shape, whose name is argument 1.
+std::shared_ptr<Node> new_node(const Call& call);
+
+/// Pushes such a node with a shape. Returns 1.
 int push_new_node(const Call& call, std::shared_ptr<const Shape> shape);
 
 /// A Lua function: a node without a shape that stands for what an unknown function would make.

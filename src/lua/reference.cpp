@@ -65,8 +65,8 @@ void add_section(std::string& page, std::string_view title, bool (*belongs)(cons
 std::string editor_annotations() {
   std::string text =
       "---@meta\n"
-      "-- What scene scripts can call, for editors. Written out from the table in\n"
-      "-- src/lua/bindings.cpp; a test says how when it is out of date.\n\n"
+      "-- What scene scripts can call, for editors. Written out from the tables in src/lua\n"
+      "-- (bindings.cpp, shapes.cpp); a test says how when it is out of date.\n\n"
       "---A colour {r, g, b}, or one number for a grey; linear, not negative.\n"
       "---@alias gr.Colour number|number[]\n\n"
       "---@class gr.Material\n---@class gr.Light\n---@class gr.Texture\n\n"
@@ -82,8 +82,9 @@ std::string editor_annotations() {
 
 std::string reference_page() {
   std::string page =
-      "# Reference\n\nEvery call of a scene script, written out from the table in "
-      "src/lua/bindings.cpp. `name?` may be left out; a colour is `{r, g, b}` or one number for a "
+      "# Reference\n\nEvery call of a scene script, written out from the tables in "
+      "src/lua (bindings.cpp, shapes.cpp). `name?` may be left out; a colour is `{r, g, b}` or one "
+      "number for a "
       "grey. What they mean: [scripting.md](scripting.md).\n";
   add_section(page, "Functions", [](const Binding& b) { return b.is_gr(); });
   add_section(page, "Methods of nodes", [](const Binding& b) { return b.is_method(); });

@@ -53,7 +53,8 @@ class ScriptGrammar {
       case 5:
         return "gr.plane(" + name() + ", " + number() + ")";
       default:
-        static const char* const plain[] = {"sphere", "cube", "cylinder", "cone", "blob", "node"};
+        static const char* const plain[] = {"sphere",  "cube", "cylinder", "cone",
+                                            "capsule", "blob", "node"};
         return std::string("gr.") + plain[choose(std::size(plain))] + "(" + name() + ")";
     }
   }

@@ -13,7 +13,7 @@
 
 namespace {
 
-constexpr const char* kUsage =
+constexpr const char* usage =
     "usage: compare_images A B [--max M] [--mean M] [--count N --above D]\n"
     "Prints how far two pictures are apart; exit code 0 near enough, 1 not, 2 unreadable.\n"
     "  --max M    no value differs by more than M (0..1)\n"
@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
     std::printf("%s\n", verdict.text.c_str());
     return verdict.near_enough ? 0 : 1;
   } catch (const std::invalid_argument& error) {
-    std::fprintf(stderr, "compare_images: %s\n%s", error.what(), kUsage);
+    std::fprintf(stderr, "compare_images: %s\n%s", error.what(), usage);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "compare_images: %s\n", error.what());
   }

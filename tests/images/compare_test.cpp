@@ -14,13 +14,13 @@
 namespace rt::images {
 namespace {
 
-constexpr int kSize = 32;
-constexpr float kStep = 1.0F / 255.0F;
+constexpr int side = 32;
+constexpr float step = 1.0F / 255.0F;
 
 io::Image picture() {
-  io::Image image{kSize, kSize, {}};
-  for (int i = 0; i < kSize * kSize * 3; ++i) {
-    image.pixels.push_back(static_cast<float>((i * 7919) % 256) * kStep);
+  io::Image image{side, side, {}};
+  for (int i = 0; i < side * side * 3; ++i) {
+    image.pixels.push_back(static_cast<float>((i * 7919) % 256) * step);
   }
   return image;
 }
@@ -45,15 +45,15 @@ TEST(Compare, PassesEqualPictures) {
 
 TEST(Compare, FailsOnOneValueByOneStep) {
   io::Image other = picture();
-  other.pixels[1500] += kStep;
+  other.pixels[1500] += step;
   EXPECT_FALSE(compare(picture(), other, {}).near_enough);
-  EXPECT_FALSE(compare(picture(), other, {.max = 0.9 * kStep}).near_enough);
-  EXPECT_TRUE(compare(picture(), other, {.max = 1.1 * kStep}).near_enough);
+  EXPECT_FALSE(compare(picture(), other, {.max = 0.9 * step}).near_enough);
+  EXPECT_TRUE(compare(picture(), other, {.max = 1.1 * step}).near_enough);
   EXPECT_FALSE(compare(picture(), other, {.count = 0}).near_enough);
   EXPECT_TRUE(compare(picture(), other, {.count = 1}).near_enough);
-  EXPECT_TRUE(compare(picture(), other, {.count = 0, .above = 1.1 * kStep}).near_enough);
+  EXPECT_TRUE(compare(picture(), other, {.count = 0, .above = 1.1 * step}).near_enough);
   EXPECT_FALSE(compare(picture(), other, {.mean = 1e-9}).near_enough);
-  EXPECT_TRUE(compare(picture(), other, {.mean = kStep}).near_enough);
+  EXPECT_TRUE(compare(picture(), other, {.mean = step}).near_enough);
 }
 
 TEST(Compare, ReportsMaximumMeanAndCount) {
@@ -78,12 +78,12 @@ TEST(Compare, RegressionToleranceFailsOnDamage) {
   EXPECT_FALSE(compare(picture(), shifted(), regression()).near_enough);
   io::Image brighter = picture();
   for (float& value : brighter.pixels) {
-    value += 0.9F * kStep;
+    value += 0.9F * step;
   }
   EXPECT_FALSE(compare(picture(), brighter, regression()).near_enough) << "everywhere a little";
   io::Image spotted = picture();
   for (std::size_t i = 0; i < 5; ++i) {
-    spotted.pixels[300 * i] += 2.0F * kStep;
+    spotted.pixels[300 * i] += 2.0F * step;
   }
   EXPECT_FALSE(compare(picture(), spotted, regression()).near_enough) << "five pixels";
 }

@@ -61,7 +61,7 @@ std::vector<Family> families(const std::string& shape) {
                 inside, spindle});
   add("sphere",
       {random, grazing, far, far_grazing, axis, double_root, non_uniform, inside, scaled});
-  for (const char* name : {"cylinder", "cone", "blob"}) {
+  for (const char* name : {"cylinder", "cone", "blob", "capsule"}) {
     add(name, {random, grazing, far, far_grazing, axis, double_root, non_uniform, inside, edge});
   }
   add("box", {random, far, axis, non_uniform, inside, edge});

@@ -188,9 +188,9 @@ void LeavingTally::add(const LeavingTally& other) {
 
 std::vector<Placement> placements() {
   const std::vector<Shape> shapes{
-      Sphere{},       Sphere{{1, 2, 3}, 1}, Torus{},        Torus{0.5, 1},
-      Torus{1, 0.01}, Cylinder{},           PointedCone{},  Box{},
-      Blob{},         box_mesh(),           sphere_mesh(2), torus_mesh(12, 6)};
+      Sphere{},   Sphere{{1, 2, 3}, 1}, Torus{},        Torus{0.5, 1},    Torus{1, 0.01},
+      Cylinder{}, PointedCone{},        Capsule{},      Capsule{1, 0.01}, Box{},
+      Blob{},     box_mesh(),           sphere_mesh(2), torus_mesh(12, 6)};
   std::vector<Placement> out;
   for (const Shape& shape : shapes) {
     for (const double offset : {0.0, 1e3}) {

@@ -144,6 +144,40 @@ Crossings<T> crossings(const PointedCone&, const Line<T>& line, double offset) {
   return chord.crossings();
 }
 
+/// The chord of two parts that join at a plane across the y axis.
+template <class T>
+WideChord<T> joined(const WideChord<T>& first, const WideChord<T>& second) {
+  if (first.none() || second.none()) {
+    return first.none() ? second : first;
+  }
+  WideChord<T> both = first;
+  both.out = second.out;
+  both.cosine_out = second.cosine_out;
+  return both;
+}
+
+template <class T>
+Crossings<T> crossings(const Capsule& capsule, const Line<T>& line, double offset) {
+  const T radius = T(capsule.radius) + T(offset);
+  const T length(capsule.length);
+  const T far(1e290);
+  const T& oy = line.origin.y;
+  const T& dy = line.direction.y;
+  WideChord<T> lower;
+  clip_round(lower, line, radius, true);
+  lower.slab(oy, dy, -far, T(0.0));
+  WideChord<T> body;
+  clip_round(body, line, radius, false);
+  body.slab(oy, dy, T(0.0), length);
+  Line<T> from_upper = line;
+  from_upper.origin.y = oy - length;
+  WideChord<T> upper;
+  clip_round(upper, from_upper, radius, true);
+  upper.slab(oy, dy, length, far);
+  return (dy > T(0.0) ? joined(joined(lower, body), upper) : joined(joined(upper, body), lower))
+      .crossings();
+}
+
 template <class T>
 Crossings<T> crossings(const Blob&, const Line<T>& line, double offset) {
   using std::sqrt;
@@ -156,15 +190,7 @@ Crossings<T> crossings(const Blob&, const Line<T>& line, double offset) {
   WideChord<T> body;
   clip_cone(body, line, sqrt(T(26.0)), 5, offset);
   body.slab(oy, dy, T(-1.0) - T(offset), join);
-  const WideChord<T>& first = dy > T(0.0) ? body : head;
-  const WideChord<T>& second = dy > T(0.0) ? head : body;
-  if (first.none() || second.none()) {
-    return first.none() ? second.crossings() : first.crossings();
-  }
-  Crossings<T> c;
-  c.add(first.in, first.cosine_in);
-  c.add(second.out, second.cosine_out);
-  return c;
+  return (dy > T(0.0) ? joined(body, head) : joined(head, body)).crossings();
 }
 
 }  // namespace rt::stability

@@ -66,6 +66,16 @@ Spot spot(const PointedCone&, Random& random) {
           Vec3(u.cosine, 1, u.sine) / std::sqrt(2.0)};
 }
 
+Spot spot(const Capsule& s, Random& random) {
+  if (random.below(2) == 0) {
+    const Turn u = turn_of(random);
+    return {Vec3(s.radius * u.cosine, random.uniform(0, s.length), s.radius * u.sine),
+            Vec3(u.cosine, 0, u.sine)};
+  }
+  const Vec3 n = random.direction();
+  return {Vec3(0, n.y > 0 ? s.length : 0, 0) + s.radius * n, n};
+}
+
 const double apex = std::sqrt(26.0);
 
 Spot body_spot(double y, Random& random) {
@@ -148,6 +158,11 @@ EdgeSpot edge_of(const Shape& shape, Random& random) {
     const Spot s = body_spot(1 / apex, random);
     return {s.position, s.normal};
   }
+  if (const Capsule* capsule = std::get_if<Capsule>(&shape)) {
+    const Turn u = turn_of(random);
+    const Vec3 away(u.cosine, 0, u.sine);
+    return {Vec3(0, random.below(2) * capsule->length, 0) + capsule->radius * away, away};
+  }
   if (const Square* square = std::get_if<Square>(&shape)) {
     Spot s = spot(*square, random);
     const int axis = 2 * random.below(2);
@@ -197,6 +212,9 @@ Shape fixed_shape(const std::string& name, Random& random) {
   }
   if (name == "cone") {
     return PointedCone{};
+  }
+  if (name == "capsule") {
+    return random.below(2) == 0 ? Capsule{} : Capsule{1, random.power_of_ten(-3, 0)};
   }
   if (name == "blob") {
     return Blob{};

@@ -3,7 +3,7 @@
 
 namespace rt::stability {
 
-/// The unit cylinder, cone, blob, plane, a square, or one of a few fixed triangles.
+/// The unit cylinder, cone, blob, plane, a square, one of a few capsules or of a few triangles.
 Shape fixed_shape(const std::string& name, Random& random);
 
 /// R of a torus, the radius of a sphere, 1 for what has a size of the order of one.

@@ -8,9 +8,9 @@ namespace rt {
 ///
 ///   box              1 on the pixel: |x|, |y| < 1/2
 ///   tent             (1-|x|)(1-|y|), radius 1
-///   gaussian         exp(-(x^2+y^2) / 2 sigma^2), sigma = 1/2 pixel, cut off at radius 3/2 = 3
-///   sigma
-///                    (isotropic; the cut drops 1.1% of the mass)
+///   gaussian         exp(-(x^2+y^2) / 2 sigma^2), sigma = 1/2 pixel, isotropic;
+///                    cut off at radius 3/2, which is 3 sigma
+///                    and drops 1.1% of the mass
 ///   blackman_harris  the 4-term window of Harris (Proc. IEEE 66(1), 1978) in x times in y, radius
 ///                    3/2; standard deviation 0.42 pixel
 enum class Filter { box, tent, gaussian, blackman_harris };

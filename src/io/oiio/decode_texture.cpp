@@ -115,11 +115,11 @@ void linearise(std::vector<float>& values, const std::vector<float>& table) {
 }
 
 /// Beyond this a float picture's value says nothing, and sums of them could overflow.
-constexpr float kLargest = 1e30F;
+constexpr float largest = 1e30F;
 
 void make_finite(std::vector<float>& values) {
   for (float& x : values) {
-    x = std::isfinite(x) ? std::clamp(x, -kLargest, kLargest) : 0.0F;
+    x = std::isfinite(x) ? std::clamp(x, -largest, largest) : 0.0F;
   }
 }
 

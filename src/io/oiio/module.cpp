@@ -15,7 +15,7 @@ namespace {
 
 // Four times the largest picture a sensible wall poster needs; a small file that claims more is
 // broken or hostile, and its memory is never asked for.
-constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;
+constexpr std::int64_t max_pixels = std::int64_t{1} << 28;
 
 OIIO::ImageSpec spec_of(const EncodeRequest& request) {
   OIIO::ImageSpec spec(request.width, request.height, 3,
@@ -71,7 +71,7 @@ std::string decode_or_throw(const char* format, const std::string& path, Decoded
   }
   const std::int64_t pixels = std::int64_t{spec.width} * spec.height;
   if (spec.width <= 0 || spec.height <= 0 || spec.depth > 1 || spec.nchannels <= 0 ||
-      pixels > kMaxPixels) {
+      pixels > max_pixels) {
     return "its header claims " + std::to_string(spec.width) + " x " + std::to_string(spec.height) +
            " pixels of " + std::to_string(spec.nchannels) + " channels, which is beyond reading";
   }

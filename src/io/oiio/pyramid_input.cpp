@@ -7,8 +7,8 @@
 namespace rt::io {
 namespace {
 
-constexpr const char* kPyramid = "raytracer:pyramid";
-constexpr const char* kCache = "raytracer:cache";
+constexpr const char* pyramid_attribute = "raytracer:pyramid";
+constexpr const char* cache_attribute = "raytracer:cache";
 
 std::atomic<std::uint64_t> peak{0};
 
@@ -47,8 +47,8 @@ class PyramidInput : public OIIO::ImageInput {
       const auto* attribute = config.find_attribute(name, OIIO::TypeDesc::PTR);
       return attribute == nullptr ? nullptr : *static_cast<void* const*>(attribute->data());
     };
-    pyramid_ = static_cast<const Pyramid*>(pointer(kPyramid));
-    cache_ = static_cast<OIIO::ImageCache*>(pointer(kCache));
+    pyramid_ = static_cast<const Pyramid*>(pointer(pyramid_attribute));
+    cache_ = static_cast<OIIO::ImageCache*>(pointer(cache_attribute));
     if (pyramid_ == nullptr || cache_ == nullptr || !seek_subimage(0, 0)) {
       return false;
     }
@@ -91,8 +91,8 @@ bool add_pyramid(OIIO::ImageCache& cache, OIIO::ustring name, const Pyramid& pyr
   const Pyramid* shown = &pyramid;
   OIIO::ImageCache* shown_cache = &cache;
   OIIO::ImageSpec config;
-  config.attribute(kPyramid, OIIO::TypeDesc::PTR, &shown);
-  config.attribute(kCache, OIIO::TypeDesc::PTR, &shown_cache);
+  config.attribute(pyramid_attribute, OIIO::TypeDesc::PTR, &shown);
+  config.attribute(cache_attribute, OIIO::TypeDesc::PTR, &shown_cache);
   return cache.add_file(
       name, [] { return static_cast<OIIO::ImageInput*>(new PyramidInput); }, &config);
 }

@@ -80,6 +80,6 @@ struct OiioTable {
 };
 
 /// The symbol that the module exports, of type `const OiioTable`.
-inline constexpr const char* kOiioTableSymbol = "rt_oiio_table";
+inline constexpr const char* oiio_table_symbol = "rt_oiio_table";
 
 }  // namespace rt::io

@@ -47,6 +47,9 @@ TEST(Coordinates, DerivativesAgreeWithDifferences) {
   check_derivatives(Blob{}, {0.5, 3, 0.1}, {-0.01, -1, 0.02});
   check_derivatives(Blob{}, {5, -0.6, 1}, {-1, 0.01, 0});
   check_derivatives(Blob{}, {0.5, -3, 0.1}, {-0.01, 1, 0.02});
+  check_derivatives(Capsule{}, {5, 0.6, 0.1}, {-1, 0.01, 0});
+  check_derivatives(Capsule{}, {0.1, 3, 0.1}, {-0.01, -1, 0.02});
+  check_derivatives(Capsule{}, {0.1, -3, 0.1}, {-0.01, 1, 0.02});
   for (int axis = 0; axis < 3; ++axis) {
     for (const double side : {-1.0, 1.0}) {
       Vec3 origin(0.3, 0.4, 0.6);

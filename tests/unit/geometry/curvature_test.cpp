@@ -37,6 +37,7 @@ TEST(Coordinates, DerivativesDoNotJumpAtTheSeam) {
   p.normal = p.shading_normal = Vec3(1, 0, 0);
   p.position = Vec3(1, 0.3, 0);
   check_seam(Cylinder{}, p, 0);
+  check_seam(Capsule{1, 1}, p, 0);
   p.position = Vec3(0.6, 0.4, 0);
   check_seam(PointedCone{}, p, 0);
   p.position = Vec3(1.25, 0, 0);
@@ -94,6 +95,8 @@ TEST(Curvature, AgreesWithDifferencesOfNormals) {
   check_curvature(Square{10}, from, {-1, -2, -3});
   check_curvature(Cylinder{}, {5, 0.6, 0.5}, {-1, 0.01, 0});
   check_curvature(Cylinder{}, {0.5, 3, 0.1}, {-0.01, -1, 0.02});
+  check_curvature(Capsule{}, {5, 0.6, 0.1}, {-1, 0.01, 0});
+  check_curvature(Capsule{}, {0.1, 3, 0.1}, {-0.01, -1, 0.02});
   check_curvature(PointedCone{}, {5, 0.6, 0.2}, {-1, 0.01, -0.02});
   check_curvature(PointedCone{}, {0.5, -3, 0.1}, {-0.01, 1, 0.02});
   check_curvature(Blob{}, {0.5, 3, 0.1}, {-0.01, -1, 0.02});

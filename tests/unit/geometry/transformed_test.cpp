@@ -60,6 +60,7 @@ TEST(Transformed, EveryShapeKeepsItsHits) {
   check_placements(Torus{});
   check_placements(Torus{0.5, 1});
   check_placements(Blob{});
+  check_placements(Capsule{});
 }
 
 TEST(Transformed, MirroredSphereIsHitAtItsMirroredPlace) {
@@ -77,6 +78,7 @@ TEST(Shape, KindsAreTheScriptsNames) {
   EXPECT_STREQ(shape_kind(Sphere{}), "sphere");
   EXPECT_STREQ(shape_kind(Torus{}), "torus");
   EXPECT_STREQ(shape_kind(Square{}), "square");
+  EXPECT_STREQ(shape_kind(Capsule{}), "capsule");
 }
 
 }  // namespace

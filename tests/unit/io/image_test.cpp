@@ -19,9 +19,9 @@
 namespace rt::io {
 namespace {
 
-const std::map<std::string, std::string> kMetadata{{"Software", "raytracer 0.1.0"},
-                                                   {"raytracer:seed", "17"},
-                                                   {"raytracer:scene", "0123456789abcdef"}};
+const std::map<std::string, std::string> metadata{{"Software", "raytracer 0.1.0"},
+                                                  {"raytracer:seed", "17"},
+                                                  {"raytracer:scene", "0123456789abcdef"}};
 
 /// Smooth enough for JPEG, and different in every row, column and channel.
 Image ramp(int width = 40, int height = 24) {
@@ -43,7 +43,7 @@ TEST_P(Formats, ComeBackAsWritten) {
   const auto file = folder / (std::string("picture") + GetParam());
   const Image image = ramp();
   for (const auto encoding : {Encoding::srgb, Encoding::raw}) {
-    write_image(file, image, encoding, kMetadata);
+    write_image(file, image, encoding, metadata);
     const Image back = read_image(file);
     ASSERT_EQ(back.width, image.width);
     ASSERT_EQ(back.height, image.height);
@@ -81,12 +81,12 @@ TEST(WriteImage, GivesEqualBytesForEqualInputs) {
   const Image image = ramp();
   const std::vector<std::string> extensions{".png", ".bmp", ".tga", ".jpg", ".exr"};
   for (const auto& extension : extensions) {
-    write_image(folder / ("a" + extension), image, Encoding::srgb, kMetadata);
+    write_image(folder / ("a" + extension), image, Encoding::srgb, metadata);
   }
   // A second later, so that a date would show; under another name, so that a name would, too.
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));
   for (const auto& extension : extensions) {
-    write_image(folder / ("other" + extension), image, Encoding::srgb, kMetadata);
+    write_image(folder / ("other" + extension), image, Encoding::srgb, metadata);
     EXPECT_EQ(bytes_of(folder / ("a" + extension)), bytes_of(folder / ("other" + extension)))
         << extension;
   }
@@ -95,9 +95,9 @@ TEST(WriteImage, GivesEqualBytesForEqualInputs) {
 TEST(WriteImage, CarriesTheMetadataAndNoDate) {
   const TempFolder folder;
   for (const std::string name : {"a.png", "a.exr"}) {
-    write_image(folder / name, ramp(), Encoding::srgb, kMetadata);
+    write_image(folder / name, ramp(), Encoding::srgb, metadata);
     const std::string bytes = bytes_of(folder / name);
-    for (const auto& [key, value] : kMetadata) {
+    for (const auto& [key, value] : metadata) {
       EXPECT_NE(bytes.find(value), std::string::npos) << name << " lacks " << key;
     }
     for (const char* trace : {"tIME", "capDate", "DateTime", "OpenImageIO", "HostComputer"}) {
@@ -263,7 +263,7 @@ TEST(WriteImage, WorksFromSeveralThreads) {
   for (int i = 0; i < 4; ++i) {
     threads.emplace_back([&, i] {
       preload();
-      write_image(folder / (std::to_string(i) + ".png"), ramp(), Encoding::srgb, kMetadata);
+      write_image(folder / (std::to_string(i) + ".png"), ramp(), Encoding::srgb, metadata);
     });
   }
   threads.clear();

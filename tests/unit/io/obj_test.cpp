@@ -10,9 +10,9 @@ namespace {
 
 using namespace std::string_literals;
 
-constexpr const char* kCubeVertices =
+constexpr const char* cube_vertices =
     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";
-constexpr const char* kCubeFaces =
+constexpr const char* cube_faces =
     "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
 class Obj : public testing::Test {
@@ -38,7 +38,7 @@ double enclosed_volume(const MeshData& mesh) {
 }
 
 TEST_F(Obj, FansTheQuadsOfACube) {
-  const MeshData mesh = load(std::string("# a cube\n") + kCubeVertices + kCubeFaces);
+  const MeshData mesh = load(std::string("# a cube\n") + cube_vertices + cube_faces);
   EXPECT_EQ(mesh.positions.size(), 8U);
   EXPECT_EQ(mesh.triangles.size(), 12U);
   EXPECT_NEAR(enclosed_volume(mesh), 1.0, 1e-15);
@@ -49,7 +49,7 @@ TEST_F(Obj, FansTheQuadsOfACube) {
 TEST_F(Obj, ReadsWindowsAndOldMacLineEnds) {
   for (const std::string end : {"\r\n", "\r"}) {
     std::string text;
-    for (const char c : std::string(kCubeVertices) + kCubeFaces) {
+    for (const char c : std::string(cube_vertices) + cube_faces) {
       text += c == '\n' ? end : std::string(1, c);
     }
     EXPECT_EQ(load(text).triangles.size(), 12U);
@@ -136,14 +136,14 @@ TEST_F(Obj, RejectsNumbersThatAreNone) {
   for (const char* vertex :
        {"v nan 0 0", "v 0 inf 0", "v 0 0 1e999", "v 1 2", "v 1 2 3x", "v 1,0 0 0", "vn 0 0", "vt ",
         "vn 0 -inf 1", "v 1 2 +-3", "v 0x10 0 0"}) {
-    const std::string message = error(std::string(kCubeVertices) + kCubeFaces + vertex + "\n");
+    const std::string message = error(std::string(cube_vertices) + cube_faces + vertex + "\n");
     EXPECT_NE(message.find("m.obj:15: "), std::string::npos) << vertex << ": " << message;
   }
 }
 
 TEST_F(Obj, SaysThatThereIsNoTriangle) {
   EXPECT_NE(error("").find("m.obj (0 bytes)"), std::string::npos);
-  EXPECT_NE(error(kCubeVertices).find("face"), std::string::npos);
+  EXPECT_NE(error(cube_vertices).find("face"), std::string::npos);
   EXPECT_NE(error("f 1 2\nv 0 0 0\nv 0 0 1\n").find("face"), std::string::npos);
 }
 
@@ -181,7 +181,7 @@ TEST_F(Obj, SurvivesGarbage) {
 /// A good file with single bytes changed gets further than noise does.
 TEST_F(Obj, SurvivesDamage) {
   std::mt19937 random(11);
-  const std::string good = std::string(kCubeVertices) + "vt 0 0\nvn 0 0 1\n" + kCubeFaces +
+  const std::string good = std::string(cube_vertices) + "vt 0 0\nvn 0 0 1\n" + cube_faces +
                            "f 1/1/1 2/1/1 3/1/1\nf -1//-1 -2//-1 -3//-1\n";
   for (int round = 0; round < 3000; ++round) {
     std::string text = good;

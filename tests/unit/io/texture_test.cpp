@@ -22,8 +22,8 @@ namespace rt::io {
 namespace {
 
 /// Half rounds to 11 bits, so by 2^-11 of 1 and less; floats add a few roundings of 2^-24.
-constexpr double kHalf = 1.0 / 2048;
-constexpr double kFloat = 1e-6;
+constexpr double half_precision = 1.0 / 2048;
+constexpr double float_precision = 1e-6;
 
 /// IEC 61966-2-1, once more.
 double linear(double encoded) {
@@ -82,7 +82,8 @@ TEST_F(Textures, StandUprightWithVUp) {
   const auto image = open(distinct());
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 2; ++row) {  // from the top
-      expect_rgb(point(*image, (column + 0.5) / 4, 1 - (row + 0.5) / 2), texel(column, row), kHalf);
+      expect_rgb(point(*image, (column + 0.5) / 4, 1 - (row + 0.5) / 2), texel(column, row),
+                 half_precision);
     }
   }
   EXPECT_EQ(image->file(), folder_ / "picture");
@@ -90,8 +91,8 @@ TEST_F(Textures, StandUprightWithVUp) {
 
 TEST_F(Textures, InterpolateBetweenTexels) {
   const auto image = open(distinct());
-  expect_rgb(point(*image, 0.5, 0.75), 0.5 * (texel(1, 0) + texel(2, 0)), kHalf);
-  expect_rgb(point(*image, 0.125, 0.5), 0.5 * (texel(0, 0) + texel(0, 1)), kHalf);
+  expect_rgb(point(*image, 0.5, 0.75), 0.5 * (texel(1, 0) + texel(2, 0)), half_precision);
+  expect_rgb(point(*image, 0.125, 0.5), 0.5 * (texel(0, 0) + texel(0, 1)), half_precision);
 }
 
 TEST_F(Textures, WrapAsAsked) {
@@ -99,22 +100,23 @@ TEST_F(Textures, WrapAsAsked) {
   const double v = 0.75;
   for (const double whole : {-1e6, -3.0, 1.0, 1024.0, 1e9}) {
     // 1e9 + 0.125 is exact, and so is what is left of it without its whole part.
-    expect_rgb(point(*image, whole + 0.125, v), texel(0, 0), kHalf);
+    expect_rgb(point(*image, whole + 0.125, v), texel(0, 0), half_precision);
   }
-  expect_rgb(point(*image, 0.0, v), 0.5 * (texel(0, 0) + texel(3, 0)), kHalf);  // over the seam
-  expect_rgb(point(*image, 1.0, v), 0.5 * (texel(0, 0) + texel(3, 0)), kHalf);
+  expect_rgb(point(*image, 0.0, v), 0.5 * (texel(0, 0) + texel(3, 0)),
+             half_precision);  // over the seam
+  expect_rgb(point(*image, 1.0, v), 0.5 * (texel(0, 0) + texel(3, 0)), half_precision);
   for (const double edge : {0.0, -0.4, -17.0, -1e20}) {
-    expect_rgb(point(*image, edge, v, Wrap::clamp), texel(0, 0), kHalf);
-    expect_rgb(point(*image, 1.0 - edge, v, Wrap::clamp), texel(3, 0), kHalf);
+    expect_rgb(point(*image, edge, v, Wrap::clamp), texel(0, 0), half_precision);
+    expect_rgb(point(*image, 1.0 - edge, v, Wrap::clamp), texel(3, 0), half_precision);
   }
-  expect_rgb(point(*image, -0.125, v, Wrap::mirror), texel(0, 0), kHalf);
-  expect_rgb(point(*image, 1.125, v, Wrap::mirror), texel(3, 0), kHalf);
-  expect_rgb(point(*image, 2.125, v, Wrap::mirror), texel(0, 0), kHalf);
-  expect_rgb(point(*image, 0.125, -0.25, Wrap::mirror), texel(0, 1), kHalf);
-  expect_rgb(point(*image, 0.125, 1.25, Wrap::mirror), texel(0, 0), kHalf);
+  expect_rgb(point(*image, -0.125, v, Wrap::mirror), texel(0, 0), half_precision);
+  expect_rgb(point(*image, 1.125, v, Wrap::mirror), texel(3, 0), half_precision);
+  expect_rgb(point(*image, 2.125, v, Wrap::mirror), texel(0, 0), half_precision);
+  expect_rgb(point(*image, 0.125, -0.25, Wrap::mirror), texel(0, 1), half_precision);
+  expect_rgb(point(*image, 0.125, 1.25, Wrap::mirror), texel(0, 0), half_precision);
   expect_rgb(point(*image, -0.5, v, Wrap::black), Rgb(0.0), 0.0);
   expect_rgb(point(*image, 0.5, 1e20, Wrap::black), Rgb(0.0), 0.0);
-  expect_rgb(point(*image, 0.0, v, Wrap::black), 0.5 * texel(0, 0), kHalf);
+  expect_rgb(point(*image, 0.0, v, Wrap::black), 0.5 * texel(0, 0), half_precision);
 }
 
 TEST_F(Textures, LineariseEncodedPictures) {
@@ -126,8 +128,10 @@ TEST_F(Textures, LineariseEncodedPictures) {
   for (int k = 0; k < 256; ++k) {
     const double u = (k + 0.5) / 256;
     const double stored = k / 255.0;
-    expect_rgb(point(*image, u, 0.5), Rgb(linear(stored)), kHalf * stored + kFloat);
-    expect_rgb(point(*image, u, 0.5, Wrap::repeat, true), Rgb(stored), kHalf * stored + kFloat);
+    expect_rgb(point(*image, u, 0.5), Rgb(linear(stored)),
+               half_precision * stored + float_precision);
+    expect_rgb(point(*image, u, 0.5, Wrap::repeat, true), Rgb(stored),
+               half_precision * stored + float_precision);
   }
 }
 
@@ -140,8 +144,8 @@ TEST_F(Textures, LineariseSixteenBits) {
   int k = 0;
   for (const double value : {0.0, 1.0, 255.0, 3000.0, 32768.0, 65535.0}) {
     const double u = (k++ + 0.5) / 6;
-    expect_rgb(point(*image, u, 0.5), Rgb(linear(value / 65535)), kFloat);
-    expect_rgb(point(*image, u, 0.5, Wrap::repeat, true), Rgb(value / 65535), kFloat);
+    expect_rgb(point(*image, u, 0.5), Rgb(linear(value / 65535)), float_precision);
+    expect_rgb(point(*image, u, 0.5, Wrap::repeat, true), Rgb(value / 65535), float_precision);
   }
 }
 
@@ -172,10 +176,10 @@ TEST_F(Textures, AverageInLinearLight) {
     const double mean = sum / (side * double{1} * side);
     // Ten levels, each rounded to half once.
     for (const double width : {0.5, 1.0, 3.0, 1000.0, 1e30}) {
-      expect_rgb(over(*image, width), Rgb(mean), 10 * kHalf * mean + 0.5 / side);
+      expect_rgb(over(*image, width), Rgb(mean), 10 * half_precision * mean + 0.5 / side);
     }
     expect_rgb(over(*image, std::numeric_limits<double>::infinity()), Rgb(mean),
-               10 * kHalf * mean + 0.5 / side);
+               10 * half_precision * mean + 0.5 / side);
   }
 }
 
@@ -194,7 +198,7 @@ TEST_F(Textures, KeepTheMeanOfAnyPicture) {
     write_image(folder_ / "noise.exr", picture, Encoding::srgb, {});
     const auto image = open_texture(folder_ / "noise.exr");
     expect_rgb(image->value({{0.5, 0.5}, {60, 0}, {0, 60}}, Wrap::repeat, false),
-               sum / double(width * height), 10 * kFloat);
+               sum / double(width * height), 10 * float_precision);
   }
 }
 
@@ -250,18 +254,22 @@ TEST_F(Textures, ReadOddPictures) {
     return point(*open(content, name), 0.5, 0.5, Wrap::repeat, true);
   };
   const double k = 1.0 / 255;
-  expect_rgb(first(png(1, 8, 4, {bytes({90, 10})})), Rgb(90 * k), kHalf);  // grey, alpha dropped
-  expect_rgb(first(png(1, 8, 6, {bytes({90, 60, 30, 10})})), Rgb(90 * k, 60 * k, 30 * k), kHalf);
-  expect_rgb(first(png(1, 8, 6, {bytes({90, 60, 30, 0})})), Rgb(90 * k, 60 * k, 30 * k), kHalf);
-  expect_rgb(first(png(1, 1, 0, {bytes({0x80})})), Rgb(1.0), kHalf);
+  expect_rgb(first(png(1, 8, 4, {bytes({90, 10})})), Rgb(90 * k),
+             half_precision);  // grey, alpha dropped
+  expect_rgb(first(png(1, 8, 6, {bytes({90, 60, 30, 10})})), Rgb(90 * k, 60 * k, 30 * k),
+             half_precision);
+  expect_rgb(first(png(1, 8, 6, {bytes({90, 60, 30, 0})})), Rgb(90 * k, 60 * k, 30 * k),
+             half_precision);
+  expect_rgb(first(png(1, 1, 0, {bytes({0x80})})), Rgb(1.0), half_precision);
   expect_rgb(first(png(1, 16, 6, {be(6553500 / 100, 2) + be(0, 2) + be(32768, 2) + be(1, 2)})),
-             Rgb(1.0, 0.0, 32768.0 / 65535), kFloat);
+             Rgb(1.0, 0.0, 32768.0 / 65535), float_precision);
   const std::string palette = png_chunk("PLTE", bytes({1, 2, 3, 90, 60, 30}));
-  expect_rgb(first(png(1, 8, 3, {bytes({1})}, palette)), Rgb(90 * k, 60 * k, 30 * k), kHalf);
-  expect_rgb(first(bmp(1, 1, bytes({30, 60, 90, 0}))), Rgb(90 * k, 60 * k, 30 * k), kHalf);
+  expect_rgb(first(png(1, 8, 3, {bytes({1})}, palette)), Rgb(90 * k, 60 * k, 30 * k),
+             half_precision);
+  expect_rgb(first(bmp(1, 1, bytes({30, 60, 90, 0}))), Rgb(90 * k, 60 * k, 30 * k), half_precision);
   expect_rgb(first(tga(1, 1, 24, bytes({30, 60, 90})), "odd.tga"), Rgb(90 * k, 60 * k, 30 * k),
-             kHalf);
-  expect_rgb(first(tga(1, 1, 8, bytes({90})), "grey.tga"), Rgb(90 * k), kHalf);
+             half_precision);
+  expect_rgb(first(tga(1, 1, 8, bytes({90})), "grey.tga"), Rgb(90 * k), half_precision);
   expect_rgb(first(tiff({{256, 1},
                          {257, 1},
                          {258, 8},
@@ -272,14 +280,14 @@ TEST_F(Textures, ReadOddPictures) {
                          {278, 1},
                          {279, 1}},
                         bytes({90}))),
-             Rgb(90 * k), kHalf);
+             Rgb(90 * k), half_precision);
   // An animated PNG: its first frame. The second, red, is in fdAT.
   const std::string frame = be(1, 4) + be(1, 4) + be(0, 8) + be(1, 2) + be(2, 2) + be(0, 2);
   expect_rgb(first(png(1, 8, 2, {bytes({90, 60, 30})},
                        png_chunk("acTL", be(2, 4) + be(0, 4)) + png_chunk("fcTL", be(0, 4) + frame),
                        png_chunk("fcTL", be(1, 4) + frame) +
                            png_chunk("fdAT", be(2, 4) + stored_zlib(bytes({0, 255, 0, 0}))))),
-             Rgb(90 * k, 60 * k, 30 * k), kHalf);
+             Rgb(90 * k, 60 * k, 30 * k), half_precision);
   // CMYK (0, 1, 1, 0), up to JPEG's own error.
   const auto cmyk = open_texture(RT_SOURCE_DIR "/tests/unit/io/pictures/red_cmyk.jpg");
   expect_rgb(point(*cmyk, 0.5, 0.5), {1.0, 0.0, 0.0}, 0.03);

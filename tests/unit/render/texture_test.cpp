@@ -50,6 +50,8 @@ TEST(Texture, LiesWhereTheClosedFormSaysOnEveryShape) {
       expect_uv(Blob{}, 5.0 * on, on, {turn, 0.5 + latitude / pi_}, placed);
       expect_uv(Cylinder{}, around(a, 0.3, 4), around(a, 0.3, 1), {turn, 0.3}, placed);
       expect_uv(PointedCone{}, around(a, 0.3, 4), around(a, 0.3, 0.7), {turn, 0.3}, placed);
+      expect_uv(Capsule{1, 0.5}, around(a, 0.3, 4), around(a, 0.3, 0.5),
+                {turn, (0.25 * pi_ + 0.3) / (0.5 * pi_ + 1)}, placed);
       const double b = 2 * pi_ * 0.2;  // on the tube, outside and above
       const auto tube = [&](double r) { return around(a, r * std::sin(b), 1 + r * std::cos(b)); };
       expect_uv(Torus{}, tube(2), tube(0.25), {turn, 0.2}, placed);
