@@ -35,6 +35,8 @@ def measure(context):
 
 
 def draw(data):
-    figure, (axes,) = style.sheet()
-    curves.draw(axes, data[NAME], TITLE)
+    figure, panels = style.sheet(2, width=9.6)
+    curves.draw(panels[0], data[NAME], "Error of values")
+    curves.draw(panels[1], data[NAME], "Error as seen", error="flip", label_of_error="mean FLIP")
+    panels[1].get_legend().remove()
     return figure, curves.floor(data[NAME])

@@ -1,7 +1,7 @@
 """Error against time of many settings: what the charts of antialiasing and of soft shadows share."""
 import math
 
-from . import pictures, style, tables
+from . import flip, pictures, style, tables
 
 
 def own_case(context, scene, options, label, size, truth):
@@ -12,7 +12,7 @@ def own_case(context, scene, options, label, size, truth):
                                          *options)
         return {"series": label, "setting": " ".join(options), "time": run.trace,
                 "rmse": pictures.rmse(run.picture, picture),
-                "difference": pictures.mean_difference(run.picture, picture),
+                "flip": flip.mean_flip(run.picture, picture),
                 "rays": run.stats["rays"]["total"], "reference_error": truth[1]}
     return case
 
@@ -25,7 +25,7 @@ def pov_case(context, scene, options, label, size, truth, own):
         run = context.programs.povray(scene, size, *options)
         return {"series": label, "setting": " ".join(options), "time": run.trace,
                 "rmse": pictures.rmse(run.picture, truth[0]),
-                "difference": pictures.mean_difference(run.picture, truth[0]),
+                "flip": flip.mean_flip(run.picture, truth[0]),
                 "rays": run.stats["rays"], "reference_error": truth[1], "between": between}
     return case
 
@@ -71,19 +71,19 @@ def series(rows, name="series"):
     return found
 
 
-def draw(axes, rows, title, slopes=False):
+def draw(axes, rows, title, slopes=False, error="rmse", label_of_error="linear RMSE"):
     for index, (name, points) in enumerate(series(rows).items()):
         own = not name.startswith("POV")
         label = name
         if slopes and not math.isnan(slope(points)):
             label += f" (slope {slope(points):.2f})"
-        style.line(axes, points, "time", "rmse", label, index, dash="-" if own else "--")
+        style.line(axes, points, "time", error, label, index, dash="-" if own else "--")
     for row in rows:
         if row["series"] == "adaptive" and str(row["setting"]).endswith("--max-error 0.02"):
-            axes.annotate("default", (row["time"], row["rmse"]), (0, -22), fontsize=8,
+            axes.annotate("default", (row["time"], row[error]), (0, -22), fontsize=8,
                           textcoords="offset points", ha="center",
                           arrowprops={"arrowstyle": "-", "color": style.GREY})
-    style.log_log(axes, "processor time of tracing, s", "linear RMSE", title)
+    style.log_log(axes, "processor time of tracing, s", label_of_error, title)
     axes.legend(fontsize=7.5)
 
 
