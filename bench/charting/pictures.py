@@ -87,8 +87,17 @@ def read_ppm(path):
     return values.reshape(height, width, 3) / top
 
 
+def read_pfm(path):
+    """A portable float map: RGB, little-endian, rows from the bottom."""
+    _, size, scale, values = path.read_bytes().split(b"\n", 3)
+    width, height = map(int, size.split())
+    if float(scale) >= 0:
+        raise ValueError(f"{path} is big-endian")
+    return np.frombuffer(values, "<f4").astype(float).reshape(height, width, 3)[::-1]
+
+
 def read(path):
-    return read_exr(path) if path.suffix == ".exr" else read_ppm(path)
+    return {".exr": read_exr, ".pfm": read_pfm}.get(path.suffix, read_ppm)(path)
 
 
 # --- comparing -------------------------------------------------------------------------------------

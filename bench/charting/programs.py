@@ -3,6 +3,7 @@ statistics."""
 import functools
 import hashlib
 import json
+import os
 import pathlib
 import re
 import shutil
@@ -103,6 +104,27 @@ class Programs:
              size[1], "-format", "PPM48", "-o", out])
         stated = float(re.search(r"Ray Tracing Time:\s+([0-9.]+)", said).group(1))
         return Run(min(stated, user), user, wall, memory, pictures.read(out), {"stated": stated})
+
+    @functools.cached_property
+    def mitsuba_python(self):
+        """A Python that can render with Mitsuba; None where there is none."""
+        given = os.environ.get("MITSUBA_PYTHON")
+        usual = pathlib.Path.home() / ".local/share/raytracer/mitsuba/bin/python"
+        test = "import mitsuba as m, drjit; m.set_variant('llvm_ad_rgb'); drjit.eval(m.Float(1) + 1)"
+        for python in [given] if given else [usual, shutil.which("python3")]:
+            if python and os.access(python, os.X_OK) and subprocess.run(
+                    [python, "-c", test], capture_output=True, check=False).returncode == 0:
+                return python
+        return None
+
+    def mitsuba(self, scene, size, samples=1, passes=1, seed=0):
+        """The compiling of its kernel is not counted as tracing."""
+        out = self.scratch / "mitsuba.pfm"
+        said, user, wall, memory = self.timed(
+            [self.mitsuba_python, ROOT / "bench/mitsuba_peer.py", scene, f"{size[0]}x{size[1]}",
+             samples, passes, seed, out])
+        told = json.loads(said.splitlines()[-1])
+        return Run(told["trace"], user, wall, memory, pictures.read(out), told)
 
     def reference(self, key, *makers):
         """The mean of independent pictures, and the error of that mean; kept between runs."""

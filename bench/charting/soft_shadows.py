@@ -35,6 +35,7 @@ def measure(context):
             for setting in settings[:1] if context.quick else settings:
                 cases.append(curves.pov_case(context, "S5", setting, label, size, pov,
                                              truth))
+    cases += curves.mitsuba_cases(context, "S5", size, truth)
     return {NAME: curves.measured(context, cases)}
 
 

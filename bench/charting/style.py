@@ -59,14 +59,17 @@ def decimal(x, _):
 
 
 def plain_ticks(axes):
-    """Decades, or 1, 2, 5 where there are few of them."""
     for axis in (axes.xaxis, axes.yaxis):
-        low, high = sorted(axis.get_view_interval())
-        decades = math.log10(high / low)
-        axis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5) if decades < 2.3 else (1,),
-                                                 numticks=12))
-        axis.set_major_formatter(ticker.FuncFormatter(decimal))
-        axis.set_minor_locator(ticker.NullLocator())
+        plain_ticks_of(axis)
+
+
+def plain_ticks_of(axis):
+    """Decades, or 1, 2, 5 where there are few of them."""
+    low, high = sorted(axis.get_view_interval())
+    decades = math.log10(high / low)
+    axis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5) if decades < 2.3 else (1,), numticks=12))
+    axis.set_major_formatter(ticker.FuncFormatter(decimal))
+    axis.set_minor_locator(ticker.NullLocator())
 
 
 def save(figure, path, note, title=""):

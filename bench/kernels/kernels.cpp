@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t some = 4096;  // more than a branch predictor remembers, less than the cache
 
-/// From a sphere about the shape, at points of its box: some hit, some pass by.
+/// From a sphere about the shape, at points of its box made larger: some hit, some pass by.
 std::vector<Ray> rays_at(const Bounds& box) {
   std::mt19937_64 engine(1);
   std::uniform_real_distribution<> u(0.0, 1.0);
@@ -31,7 +31,7 @@ std::vector<Ray> rays_at(const Bounds& box) {
         box.centre() + 3.0 * glm::length(box.extent()) * to_cone({u(engine), u(engine)}, {2.0});
     const double x = u(engine);
     const double y = u(engine);
-    const Vec3 to = box.lo + Vec3(x, y, u(engine)) * box.extent();
+    const Vec3 to = box.centre() + 1.4 * (Vec3(x, y, u(engine)) - 0.5) * box.extent();
     rays.push_back({from, glm::normalize(to - from)});
   }
   return rays;
