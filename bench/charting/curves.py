@@ -20,6 +20,23 @@ def own_case(context, scene, options, label, size, truth):
     return case
 
 
+def driven_case(context, scene, nesting, label, size, truth, *options):
+    """By bench/nesting: camera samples, samples of each decision, and how they are spread."""
+    out = context.programs.scratch / "nested.pfm"
+
+    def case():
+        said, _, _, _ = context.programs.timed(
+            [context.build / "bench_nested", scene, f"{size[0]}x{size[1]}", *nesting, out, *options])
+        seconds, rays = map(float, said.split())
+        picture = pictures.read(out)
+        if not pictures.differ_by_noise(picture, truth[0]):
+            raise RuntimeError(f"{scene.stem}, {label}: the samples make another picture")
+        return {"series": label, "setting": " x ".join(map(str, nesting[:2])), "time": seconds,
+                "rmse": pictures.rmse(picture, truth[0]), "flip": flip.mean_flip(picture, truth[0]),
+                "rays": rays, "reference_error": truth[1]}
+    return case
+
+
 def pov_case(context, scene, options, label, size, truth, own):
     """`truth` is POV-Ray's, `own` ours; what is between them is no error of either's sampling."""
     between = pictures.rmse(truth[0], own[0])

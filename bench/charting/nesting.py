@@ -1,32 +1,16 @@
 """Gloss and motion: nested samples, as older ray tracers take them, against one path a sample."""
-from . import curves, flip, pictures, style
+from . import curves, style
 from .programs import ROOT
 
 NAME, TITLE = "nesting", "Gloss and motion blur: nested samples against one path a sample"
 SCENES = {"glossy": "Blurred mirrors under a spherical light", "moving": "Things that move"}
 DEPTH = "2"  # reflections: a tree of nested rays grows with every one
-NESTED = {"nested, at random": (16, "random"), "nested, well spread": (16, "spread"),
-          "nested, well spread, 4 camera samples": (4, "spread")}
+NESTED = {"nested, at random": (16, "jittered"), "nested, well spread": (16, "nets"),
+          "nested, well spread, 4 camera samples": (4, "nets")}
 
 
 def scene_of(name):
     return ROOT / f"bench/calibration/scenes/{name}.lua"
-
-
-def nested_case(context, scene, label, nest, size, truth):
-    camera, spread = NESTED[label]
-    out = context.programs.scratch / "nested.pfm"
-
-    def case():
-        said, _, _, _ = context.programs.timed(
-            [context.build / "bench_nested", scene, f"{size[0]}x{size[1]}", camera, nest, spread, out,
-             f"max_depth={DEPTH}"])
-        seconds, rays = map(float, said.split())
-        picture = pictures.read(out)
-        return {"series": label, "setting": f"{camera} x {nest}", "time": seconds,
-                "rmse": pictures.rmse(picture, truth[0]), "flip": flip.mean_flip(picture, truth[0]),
-                "rays": rays, "reference_error": truth[1]}
-    return case
 
 
 def measure(context):
@@ -40,8 +24,9 @@ def measure(context):
                  for n in ((4, 16) if context.quick else (1, 4, 16, 64, 256))]
         cases += [curves.own_case(context, scene, ["--max-error", str(e), *depth], "adaptive", size,
                                   truth) for e in ((0.05,) if context.quick else (0.05, 0.02, 0.01))]
-        cases += [nested_case(context, scene, label, nest, size, truth)
-                  for label in NESTED
+        cases += [curves.driven_case(context, scene, (camera, nest, spread), label, size, truth,
+                                     f"max_depth={DEPTH}")
+                  for label, (camera, spread) in NESTED.items()
                   for nest in ((1, 2) if context.quick else (1, 2, 4, 8, 16))
                   if name != "glossy" or nest <= 8]
         rows += [{"scene": name, **row} for row in curves.measured(context, cases)]

@@ -84,6 +84,13 @@ class Programs:
         return Run(told["seconds"]["trace_cpu"], user, wall, memory,
                    pictures.read(out) if picture else None, told)
 
+    def render_only(self, scene, size, *words):
+        """What bench/economy/render_only says, by name; and the process' largest memory."""
+        said, _, _, memory = self.timed([self.build / "render_only", scene, size, *words])
+        names = ("digest", "build", "trace", "rays", "shapes", "script_bytes", "plan_bytes", "script")
+        told = dict(zip(names, said.split()))
+        return {k: v if k == "digest" else float(v) for k, v in told.items()} | {"memory": memory}
+
     def povray(self, scene, size, *options):
         """Values are linear: the files of bench/peers.py say assumed_gamma 1."""
         out = self.scratch / "povray.ppm"

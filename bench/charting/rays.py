@@ -16,6 +16,8 @@ def measure(context):
             for row in csv.DictReader(said.stdout.splitlines())]
     found = {}
     for row in rows:
+        if row["agreeing"] < 0.999:
+            raise RuntimeError(f"{row['subject']}, {row['kind']}: hits agree on {row['agreeing']:%}")
         row["ratio"] = row["own"] / row["embree"]
         found.setdefault((row["subject"], row["kind"]), []).append(row)
     return {NAME: [tables.median_row(same, "own", "embree", "ratio") for same in found.values()]}

@@ -13,13 +13,12 @@ def case_of(context, label, count):
     size = "80x60" if context.quick else "320x240"
 
     def case():
-        said, _, wall, peak = context.programs.timed(
-            [context.build / "render_only", SCENES[label], size, "--", count])
-        build, trace, rays, _, script_bytes, plan_bytes, script = map(float, said.split()[1:])
+        told = context.programs.render_only(SCENES[label], size, "--", count)
         return {"series": label, "primitives": count, "size": size,
-                "ns_per_ray": 1e9 * trace / rays, "build": build, "script": script,
-                "bytes": plan_bytes / count, "script_bytes": script_bytes / count,
-                "rays": rays, "peak": peak, "wall": wall}
+                "ns_per_ray": 1e9 * told["trace"] / told["rays"], "build": told["build"],
+                "script": told["script"], "bytes": told["plan_bytes"] / count,
+                "script_bytes": told["script_bytes"] / count, "rays": told["rays"],
+                "peak": told["memory"]}
     return case
 
 

@@ -23,7 +23,11 @@ def measure(context):
     truth = curves.own_truth(context, SCENE, size, 128 if context.quick else 1024)
     cases = []
     for n in (1, 4, 16) if context.quick else (1, 4, 16, 64, 256):
-        cases.append(curves.own_case(context, SCENE, ["--samples", str(n)], "uniform", size, truth))
+        cases.append(curves.own_case(context, SCENE, ["--samples", str(n)], "uniform (Owen-Sobol)",
+                                     size, truth))
+        # What the program does not offer, on its own scene and lights: bench/nesting.
+        cases += [curves.driven_case(context, SCENE, (n, 1, spread), label, size, truth)
+                  for spread, label in (("random", "all at random"), ("stratified", "stratified"))]
     for e in (0.05, 0.02) if context.quick else (0.1, 0.05, 0.02, 0.01, 0.005, 0.0025):
         cases.append(curves.own_case(context, SCENE, ["--max-error", str(e)], "adaptive", size,
                                      truth))

@@ -11,8 +11,9 @@ import matplotlib.pyplot as plt  # noqa: E402
 # Okabe and Ito's colours, which colour-blind people can tell apart.
 OWN, POVRAY, TACHYON = "#0072B2", "#D55E00", "#009E73"
 PINK, YELLOW, SKY, GREY = "#CC79A7", "#E69F00", "#56B4E9", "#777777"
-COLOURS = [OWN, POVRAY, TACHYON, PINK, YELLOW, SKY, GREY]
-MARKS = "os^DvPX"
+BLACK = "#000000"
+COLOURS = [OWN, POVRAY, TACHYON, PINK, YELLOW, SKY, GREY, BLACK]
+MARKS = "os^DvPX*"
 
 plt.rcParams.update({
     "font.size": 9, "axes.titlesize": 11, "axes.titleweight": "bold", "axes.titlelocation": "left",

@@ -1,145 +1,32 @@
-/// A scene as older ray tracers of distributed rays take it: nested. Every camera sample is taken
-/// at several times, every hit sends several rays to each light and several into its lobe, and so
-/// on down: a tree of rays where the program follows one path a sample. On the renderer's own
-/// scene, hits, lights and lobes, so that only the arrangement of samples differs.
+/// A scene as older ray tracers of distributed rays take it, on the renderer's own scene, hits,
+/// lights and lobes, so that only the arrangement of samples differs:
 ///
-///   bench_nested SCENE.lua WIDTHxHEIGHT CAMERA NEST random|spread FILE.pfm [OPTION=VALUE]...
+///   bench_nested SCENE.lua WIDTHxHEIGHT CAMERA NEST SPREAD FILE.pfm [OPTION=VALUE]...
 ///
-/// CAMERA: samples over the pixel (a square number: one in each cell of a grid). NEST: how many at
-/// each decision. random: all of them independent; spread: those of one decision well spread among
-/// each other. On stdout processor seconds and rays. Without textures, glass, lenses and moving
-/// cameras, which it refuses.
+/// CAMERA: samples of a pixel. NEST: samples of each decision below them. SPREAD: random, jittered,
+/// stratified or nets (draws.h). On stdout processor seconds and the number of rays.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <fstream>
 #include <stdexcept>
 #include <string>
 
 #include "common/job.h"
-#include "rt/math/fresnel.h"
-#include "rt/render/direct_light.h"
-#include "rt/render/query.h"
-#include "rt/render/render.h"
+#include "nesting/tracer.h"
+#include "rt/render/film.h"
 #include "rt/render/threads.h"
 
 namespace rt::bench {
 namespace {
 
-struct Nesting {
-  int camera = 1;
-  int nest = 1;
-  bool spread = false;
-};
-
-/// The samples of one decision.
-class Draws {
- public:
-  Draws(bool spread, std::uint64_t set) : spread_(spread), set_(set) {}
-  Sampler operator()(int i) const {
-    const Sampler first(set_, spread_ ? 0 : i, 0, 0);
-    return spread_ ? first.at(static_cast<std::uint32_t>(i)) : first;
-  }
-
- private:
-  bool spread_;
-  std::uint64_t set_;
-};
-
-class NestedTracer {
- public:
-  NestedTracer(const RenderPlan& plan, const Nesting& nesting)
-      : plan_(plan), nesting_(nesting), cache_(plan) {}
-
-  Rgb pixel(int x, int y) {
-    const int side = static_cast<int>(std::lround(std::sqrt(nesting_.camera)));
-    const int times = plan_.moves ? nesting_.nest : 1;
-    Rgb sum(0.0);
-    for (int cell = 0; cell < side * side; ++cell) {
-      const Vec2 at = Sampler(next_set(), 0, 0, 0).pixel();
-      const Vec2 p((x + (cell % side + at.x) / side) / plan_.options.width,
-                   (y + (cell / side + at.y) / side) / plan_.options.height);
-      const Draws draws = decide();
-      for (int i = 0; i < times; ++i) {
-        TraceRay ray{Vec3(0.0), glm::normalize(plan_.camera.direction(p.x, p.y))};
-        ray.time = plan_.moves ? draws(i).time() : 0.0;
-        ++counts_.camera;
-        sum += radiance(ray, p.y, 0);
-      }
+Spread spread_of(const std::string& name) {
+  constexpr const char* names[] = {"random", "jittered", "stratified", "nets"};
+  for (int i = 0; i < 4; ++i) {
+    if (name == names[i]) {
+      return static_cast<Spread>(i);
     }
-    return sum / static_cast<double>(side * side * times);
   }
-
-  const RayCounts& counts() const { return counts_; }
-
- private:
-  std::uint64_t next_set() { return ++sets_; }
-  Draws decide() { return {nesting_.spread, next_set()}; }
-
-  Rgb radiance(const TraceRay& ray, double y, int depth) {
-    const auto hit = closest_hit(plan_, ray);
-    if (!hit) {
-      return glm::mix(plan_.options.background.top, plan_.options.background.bottom, y);
-    }
-    const ShadingPoint point = shading_point(plan_, ray, *hit);
-    const PlannedMaterial& material = plan_.materials[plan_.instances[hit->instance].material];
-    Rgb sum = material.emission + material.plain.kd * plan_.ambient;
-    for (std::size_t i = 0; i < plan_.lights.size(); ++i) {
-      sum += lit(i, point, material, ray.direction);
-    }
-    if (depth < plan_.options.max_depth && max_abs(material.reflectivity) > 0.0) {
-      sum += material.reflectivity * reflected(point, material, ray.direction, y, depth);
-    }
-    return sum;
-  }
-
-  Rgb lit(std::size_t light, const ShadingPoint& point, const PlannedMaterial& material,
-          const Vec3& direction) {
-    const Phong phong{material.plain.kd, material.plain.ks, material.shininess,
-                      material.least_r_dot_v};
-    const bool point_like = !plan_.lights[light].rectangle && plan_.lights[light].radius == 0.0;
-    const int count = point_like ? 1 : nesting_.nest;
-    const Draws draws = decide();
-    Rgb sum(0.0);
-    for (int i = 0; i < count; ++i) {
-      sum += direct_light(plan_, light, phong, point, -direction, draws(i), {},
-                          negligible_light(plan_.options, plan_.lights.size()), cache_, counts_);
-    }
-    return sum / static_cast<double>(count);
-  }
-
-  Rgb reflected(const ShadingPoint& point, const PlannedMaterial& material, const Vec3& direction,
-                double y, int depth) {
-    const Vec3 mirror = reflect(direction, point.normal);
-    const int count = material.lobe ? nesting_.nest : 1;
-    const Draws draws = decide();
-    Rgb sum(0.0);
-    for (int i = 0; i < count; ++i) {
-      PowerCosineLobe::Sample s{mirror, 1.0};
-      if (material.lobe) {
-        s = material.lobe->sample(draws(i).lobe(), mirror, point.normal);
-      }
-      ++counts_.reflection;
-      sum += s.weight * radiance(leave(point, s.direction), y, depth + 1);
-    }
-    return sum / static_cast<double>(count);
-  }
-
-  const RenderPlan& plan_;
-  Nesting nesting_;
-  ShadowCache cache_;
-  RayCounts counts_;
-  std::uint64_t sets_ = 0;
-};
-
-void refuse_what_is_not_nested(const RenderPlan& plan) {
-  bool refused = plan.moving_camera || plan.camera.lens_radius > 0.0 || plan.absorbs;
-  for (const PlannedInstance& instance : plan.instances) {
-    refused = refused || instance.textures || plan.materials[instance.material].transmissive;
-  }
-  if (refused) {
-    throw std::invalid_argument("no textures, glass, lenses or moving cameras");
-  }
+  throw std::invalid_argument("no spread " + name);
 }
 
 /// Portable float map: rows from the bottom.
@@ -154,7 +41,6 @@ void write(const Film& film, const std::string& file) {
 }
 
 void run(const RenderPlan& plan, const Nesting& nesting, const std::string& file) {
-  refuse_what_is_not_nested(plan);
   Film film(plan.options.width, plan.options.height);
   NestedTracer tracer(plan, nesting);
   const double begin = thread_seconds();
@@ -173,8 +59,7 @@ void run(const RenderPlan& plan, const Nesting& nesting, const std::string& file
 int main(int argc, char** argv) try {
   if (argc < 7) {
     fmt::print(stderr,
-               "usage: bench_nested SCENE.lua WxH CAMERA NEST random|spread FILE.pfm "
-               "[OPTION=VALUE]...\n");
+               "usage: bench_nested SCENE.lua WxH CAMERA NEST SPREAD FILE.pfm [OPTION=VALUE]...\n");
     return 2;
   }
   rt::RenderJob job = rt::bench::first_job(argv[1]);
@@ -184,7 +69,7 @@ int main(int argc, char** argv) try {
   }
   rt::with_threads(1, [&] {
     rt::bench::run(rt::make_plan(job),
-                   {std::stoi(argv[3]), std::stoi(argv[4]), std::string(argv[5]) == "spread"},
+                   {std::stoi(argv[3]), std::stoi(argv[4]), rt::bench::spread_of(argv[5])},
                    argv[6]);
   });
 } catch (const std::exception& error) {
