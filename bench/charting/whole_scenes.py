@@ -107,6 +107,8 @@ def missing(cases):
 def draw(data):
     figure, (axes,) = style.sheet(height=5.2)
     cases = {s: p for s, p in by_scene(data[NAME]).items() if s in CASES}
+    if all(len(programs) == 1 for programs in cases.values()):
+        raise RuntimeError("no data: no program to compare with is installed")
     names = list(cases)[::-1]
     for place, (program, label) in enumerate(LABELS.items()):
         for i, name in enumerate(names):
