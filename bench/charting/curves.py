@@ -137,13 +137,11 @@ def numbers(rows, name, peer=""):
             and isinstance(r.get(name), float) and not math.isnan(r[name])]
 
 
-def floor(rows):
+def floor(rows, peers=PEERS):
     """What the references' own errors are, and how far the peers' are from ours, in words."""
     own = max((r["reference_error"] for r in rows if not str(r["series"]).startswith(PEERS)
                and isinstance(r["reference_error"], float)), default=math.nan)
     text = f"Each against its own converged reference (ours: error {own:.1e})."
-    if not any("between" in r for r in rows):
-        return text  # a chart without peers
     pov, mitsuba = (numbers(rows, "between", peer) for peer in PEERS)
     if pov:
         text += (f" POV-Ray's differs from ours by up to {max(pov):.1e}; it is made of the same regular "
@@ -152,5 +150,5 @@ def floor(rows):
         text += (f" Mitsuba's (error {max(numbers(rows, 'reference_error', 'Mitsuba')):.1e}) differs by "
                  f"{max(mitsuba):.1e}: single precision, tori as meshes; it runs SIMD wavefronts, and "
                  "compiling its kernel is not counted.")
-    missing = [name for name, found in zip(PEERS, (pov, mitsuba)) if not found]
+    missing = [name for name, found in zip(PEERS, (pov, mitsuba)) if name in peers and not found]
     return text + (f" Left out, as not installed: {', '.join(missing)}." if missing else "")

@@ -46,6 +46,8 @@ def measure(context):
 def draw(data):
     figure, (axes,) = style.sheet()
     curves.draw(axes, data[NAME], TITLE, slopes=True)
-    return figure, (curves.floor(data[NAME]) + " POV-Ray's adaptive light sends few shadow rays where "
-                    "those to its corners agree, and does not see what lies between; where it is the "
-                    "faster one, that is why.")
+    note = curves.floor(data[NAME])
+    if any(r["series"] == "POV-Ray, adaptive" for r in data[NAME]):
+        note += (" POV-Ray's adaptive light sends few shadow rays where those to its corners agree, and "
+                 "does not see what lies between; where it is the faster one, that is why.")
+    return figure, note
