@@ -26,14 +26,21 @@ void grow(PixelSampler& sampler, PixelEstimate& e, int x, int y, std::uint32_t c
     e.quarters = {e.quarters[0] + e.quarters[1], e.quarters[2] + e.quarters[3], Rgb(0.0), Rgb(0.0)};
   }
   const std::uint32_t quarter = std::max(count / 4, 1u);
-  for (; e.count < count; ++e.count) {
-    const auto value = sampler.take(x, y, pixel.at(e.count), statistics);
+  std::vector<PixelSample> wanted;
+  wanted.reserve(count - e.count);
+  for (std::uint32_t i = e.count; i < count; ++i) {
+    wanted.push_back({x, y, pixel.at(i)});
+  }
+  std::vector<std::optional<Rgb>> values(wanted.size());
+  sampler.take_all(wanted, values, statistics);
+  for (const auto& value : values) {
     if (value) {
       e.quarters[e.count / quarter] += *value;
       e.squares += *value * *value;
     } else {
       ++e.bad;
     }
+    ++e.count;
   }
 }
 

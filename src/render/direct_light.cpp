@@ -14,14 +14,6 @@ namespace {
 
 bool is_black(const Rgb& c) { return c.r == 0.0 && c.g == 0.0 && c.b == 0.0; }
 
-/// A point of a light, seen from a shading point.
-struct LightSample {
-  Vec3 direction;  ///< unit
-  double distance;
-  double weight = 1.0;   ///< density uniform in solid angle over the density drawn from
-  bool shadowed = true;  ///< false: nothing can stand between
-};
-
 double falloff(const Light& light, double distance) {
   const auto& f = light.falloff;
   return 1.0 / (f.c0 + distance * (f.c1 + distance * f.c2));
@@ -34,6 +26,8 @@ LightSample sample_around(const Vec3& from_centre, double radius, const Vec2& u)
   const double c = (radius - glm::length(from_centre)) * (radius + glm::length(from_centre));
   return {w, std::sqrt(std::max(0.0, b * b + c)) - b, 1.0, false};
 }
+
+}  // namespace
 
 LightSample sample_light(const Light& light, const ShadingPoint& point, const Sampler& sampler,
                          const Vertex& vertex) {
@@ -60,6 +54,8 @@ LightSample sample_light(const Light& light, const ShadingPoint& point, const Sa
   return {to_light * (1.0 / distance), distance};
 }
 
+namespace {
+
 /// kd (n.l) + ks (r.v)^shininess, where the light stands above the surface.
 Rgb reflected(const Phong& phong, const ShadingPoint& point, const Vec3& view, const Vec3& l) {
   const double n_dot_l = glm::dot(point.shading_normal, l);
@@ -77,7 +73,8 @@ Rgb reflected(const Phong& phong, const ShadingPoint& point, const Vec3& view, c
   return sum;
 }
 
-/// Dimmed by what the way crosses.
+}  // namespace
+
 Rgb dimmed(const RenderPlan& plan, const ShadingPoint& from, const Vec3& way, double reach,
            RayCounts& counts) {
   Rgb share(1.0);
@@ -103,6 +100,8 @@ Rgb dimmed(const RenderPlan& plan, const ShadingPoint& from, const Vec3& way, do
   }
   return share;
 }
+
+namespace {
 
 /// What share of light `index` arrives at a point from `reach` away in direction `way` (unit): 0
 /// behind anything that blocks, less than 1 behind what dims.

@@ -1,9 +1,15 @@
 #include "rt/render/pixel.h"
 
+#include <algorithm>
+#include <array>
+
 namespace rt {
 namespace {
 
 constexpr double corner_tolerance = 0.1;
+
+/// Samples asked for at a time.
+constexpr int at_once = 64;
 
 bool differ(const Rgb& a, const Rgb& b) {
   // What is brighter than the screen can show looks the same.
@@ -16,13 +22,19 @@ Rgb uniform_pixel(PixelSampler& sampler, int x, int y, int count, RenderStatisti
   const Sampler pixel(sampler.plan().options.seed, x, y, 0);
   Rgb sum(0.0);
   int good = 0;
-  for (int i = 0; i < count; ++i) {
-    const Sampler sample = pixel.at(static_cast<std::uint32_t>(i));
-    const auto value = count == 1 ? sampler.take_at(x, y, Vec2(0.5), sample, statistics)
-                                  : sampler.take(x, y, sample, statistics);
-    if (value) {
-      sum += *value;
-      ++good;
+  std::vector<PixelSample> wanted;
+  std::array<std::optional<Rgb>, at_once> values;
+  for (int i = 0; i < count; i += at_once) {
+    wanted.clear();
+    for (int k = i; k < std::min(count, i + at_once); ++k) {
+      wanted.push_back({x, y, pixel.at(static_cast<std::uint32_t>(k)), count == 1});
+    }
+    sampler.take_all(wanted, values, statistics);
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+      if (values[k]) {
+        sum += *values[k];
+        ++good;
+      }
     }
   }
   return good > 0 ? sum / static_cast<double>(good) : Rgb(0.0);

@@ -2,18 +2,12 @@
 
 #include <algorithm>
 
-#include "rt/math/rounding.h"
 #include "rt/render/accel/box_list.h"
 #include "rt/render/accel/box_tree.h"
 #include "rt/render/accel/grid.h"
 
 namespace rt {
 namespace {
-
-// Two crossings of one ray closer than this, relative to the coordinates that go into t, are one: t
-// carries the rounding of some 16 operations, amplified by 1 / |cos| of the angle of incidence, up
-// to 64.
-constexpr double tie = gamma(16 * 64);
 
 struct ModelRay {
   Ray ray;
@@ -169,9 +163,8 @@ Ray model_ray(const Placement& instance, const TraceRay& ray) {
 }
 
 std::optional<SceneHit> instance_hit(const RenderPlan& plan, std::uint32_t instance,
-                                     const TraceRay& ray) {
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  const auto hit = intersect_instance(plan, instance, ray, inf);
+                                     const TraceRay& ray, double t_max) {
+  const auto hit = intersect_instance(plan, instance, ray, t_max);
   return hit ? std::optional(SceneHit{hit->t, instance, hit->feature}) : std::nullopt;
 }
 

@@ -162,6 +162,10 @@ void Rendering::plain(const Until& until) {
 bool Rendering::plain_tile(const Crop& tile, PixelSampler& sampler, RenderStatistics& statistics,
                            const Until& until) {
   const Deadline stop({}, until.stop);
+  if (fixed_ == 1) {
+    single_samples(tile, sampler, statistics);
+    return true;
+  }
   std::optional<CornerTile> corners;
   if (fixed_ < 0) {
     corners.emplace(sampler, tile, statistics);
@@ -177,6 +181,27 @@ bool Rendering::plain_tile(const Crop& tile, PixelSampler& sampler, RenderStatis
     }
   }
   return true;
+}
+
+/// One sample a pixel, in the order of blocks two pixels high: neighbours go the same way.
+void Rendering::single_samples(const Crop& tile, PixelSampler& sampler,
+                               RenderStatistics& statistics) {
+  constexpr int across = std::max(lanes / 2, 1);
+  std::vector<PixelSample> wanted;
+  for (int y = tile.y; y < tile.y + tile.height; y += 2) {
+    for (int x = tile.x; x < tile.x + tile.width; x += across) {
+      for (int j = y; j < std::min(y + 2, tile.y + tile.height); ++j) {
+        for (int i = x; i < std::min(x + across, tile.x + tile.width); ++i) {
+          wanted.push_back({i, j, Sampler(plan_.options.seed, i, j, 0), true});
+        }
+      }
+    }
+  }
+  std::vector<std::optional<Rgb>> values(wanted.size());
+  sampler.take_all(wanted, values, statistics);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    result_.film.set(wanted[i].x - crop_.x, wanted[i].y - crop_.y, values[i].value_or(Rgb(0.0)));
+  }
 }
 
 void Rendering::tile_by_tile(const Deadline& deadline, const Until& until) {

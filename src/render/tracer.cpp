@@ -16,14 +16,6 @@ namespace {
 // by more than half of max_error (bench/NOTES.md).
 constexpr double negligible_branches = 8.0;
 
-// A choice between two branches by chance, of probabilities p and 1-p and total weight w, adds
-// w sqrt(p (1-p)) to the standard deviation of a sample. Up to this much is accepted: pixels that
-// take random decisions average many samples. It needs w >= 2 x this to divide a path, so at most
-// 1 / (2 x this) = 10 of the paths alive at one depth, whose weights sum to at most 1, divide
-// there. Paths that do not divide die by roulette below `negligible`, so at most 1 / negligible of
-// them are alive at one depth.
-constexpr double accepted_deviation = 0.05;
-
 double largest(const Rgb& c) { return std::max({c.r, c.g, c.b}); }
 
 /// The mirror direction about the shading normal; about the geometric one where the former would
@@ -48,8 +40,12 @@ struct Tracer::Scatter {
   bool chosen = false;        ///< one of them was chosen by chance
 };
 
+double negligible_branch(const RenderOptions& options) {
+  return options.max_error / negligible_branches;
+}
+
 Tracer::Tracer(const RenderPlan& plan)
-    : plan_(plan), negligible_(plan.options.max_error / negligible_branches), shadow_cache_(plan) {
+    : plan_(plan), negligible_(negligible_branch(plan.options)), shadow_cache_(plan) {
   if (plan.footprints) {
     trail_.emplace(plan);
   }

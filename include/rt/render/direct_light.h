@@ -13,6 +13,22 @@ struct Phong {
   double least_r_dot_v;  ///< below it the highlight is negligible
 };
 
+/// A point of a light, seen from a shading point.
+struct LightSample {
+  Vec3 direction;  ///< unit
+  double distance;
+  double weight = 1.0;   ///< density uniform in solid angle over the density drawn from
+  bool shadowed = true;  ///< false: nothing can stand between
+};
+
+LightSample sample_light(const Light& light, const ShadingPoint& point, const Sampler& sampler,
+                         const Vertex& vertex);
+
+/// What share of light gets from a point over a distance `reach` in direction `way` (unit), past
+/// what dims; nothing blocks it.
+Rgb dimmed(const RenderPlan& plan, const ShadingPoint& from, const Vec3& way, double reach,
+           RayCounts& counts);
+
 /// Light `index`, reflected towards `view` (unit): sum over the light's directions, visibility
 /// included. An extended light is the mean of point lights over the directions that it subtends,
 /// uniform in solid angle; one sample of that mean is taken, drawn at `vertex`. Contributions that

@@ -3,10 +3,16 @@
 #include <optional>
 #include <span>
 
+#include "rt/math/rounding.h"
 #include "rt/render/plan.h"
 #include "rt/render/trace.h"
 
 namespace rt {
+
+/// Two crossings of one ray closer than this, relative to the coordinates that go into t, are one:
+/// t carries the rounding of some 16 operations, amplified by 1 / |cos| of the angle of incidence,
+/// up to 64.
+inline constexpr double tie = gamma(16 * 64);
 
 /// The ray in an instance's model space, with the same parameter t.
 Ray model_ray(const Placement& instance, const TraceRay& ray);
@@ -21,9 +27,10 @@ std::optional<SceneHit> closest_hit_among(const RenderPlan& plan,
                                           std::span<const std::uint32_t> instances,
                                           const TraceRay& ray);
 
-/// The nearest crossing of that one instance.
+/// The nearest crossing of that one instance with 0 < t <= t_max.
 std::optional<SceneHit> instance_hit(const RenderPlan& plan, std::uint32_t instance,
-                                     const TraceRay& ray);
+                                     const TraceRay& ray,
+                                     double t_max = std::numeric_limits<double>::infinity());
 
 /// The nearest crossing with 0 < t <= t_max of an instance that dims shadow rays.
 std::optional<SceneHit> closest_dimming_hit(const RenderPlan& plan, const TraceRay& ray,

@@ -10,6 +10,17 @@
 
 namespace rt {
 
+/// The weight below which a branch does not matter, from max_error.
+double negligible_branch(const RenderOptions& options);
+
+// A choice between two branches by chance, of probabilities p and 1-p and total weight w, adds
+// w sqrt(p (1-p)) to the standard deviation of a sample. Up to this much is accepted: pixels that
+// take random decisions average many samples. It needs w >= 2 x this to divide a path, so at most
+// 1 / (2 x this) = 10 of the paths alive at one depth, whose weights sum to at most 1, divide
+// there. Paths that do not divide die by roulette below `negligible`, so at most 1 / negligible of
+// them are alive at one depth.
+inline constexpr double accepted_deviation = 0.05;
+
 /// Follows paths through a plan. One a thread; it keeps its memory from sample to sample.
 ///
 /// At glass a path divides. Both branches are followed as long as leaving the choice to chance

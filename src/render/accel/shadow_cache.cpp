@@ -113,13 +113,16 @@ void ShadowCache::fill(Entry& entry, const Bounds& cell, std::size_t light) cons
   }
 }
 
-Candidates ShadowCache::towards(std::size_t light, const Vec3& position) {
+Candidates ShadowCache::towards(std::size_t light, const Vec3& position, Bounds* cell_bounds) {
   if (table_.empty()) {
     return {};
   }
   const Cell cell = cell_of(light, position);
   if (cell.key == 0) {
     return {};
+  }
+  if (cell_bounds != nullptr) {
+    *cell_bounds = cell.bounds;
   }
   // Fibonacci hashing (Knuth, TAOCP 3, 6.4): the upper bits of a product with 2^64 / phi.
   Entry& entry = table_[(cell.key * 0x9e3779b97f4a7c15U) >> 54U];

@@ -53,6 +53,7 @@ class BoxList {
   }
 
   const BoxSpace& space() const { return space_; }
+  const std::vector<BoxGroup>& groups() const { return groups_; }
 
  private:
   BoxSpace space_;

@@ -59,6 +59,45 @@ class BoxTree {
     return true;
   }
 
+  /// Several rays together: `rays` (packet_walk.h) says which of them may touch a group's boxes, and
+  /// visit(index, lanes) is called for every box that some may, with what is then their new limit.
+  template <class Rays, class Visit>
+  void walk_together(Rays& rays, Visit& visit) const {
+    struct {
+      float near;
+      std::uint32_t child;
+      unsigned lanes;
+    } stack[stack_size];
+    int size = 0;
+    if (!nodes_.empty()) {
+      stack[size++] = {0.0F, 0, rays.active()};
+    }
+    while (size > 0) {
+      const auto next = stack[--size];
+      const unsigned left = rays.before_end(next.lanes, next.near);
+      if (left == 0) {
+        continue;
+      }
+      if ((next.child & leaf) != 0) {
+        rays.limit(visit(next.child & ~leaf, left));
+        continue;
+      }
+      const Node& node = nodes_[next.child];
+      unsigned per_box[BoxGroup::width];
+      alignas(32) float near[BoxGroup::width];
+      const int begin = size;
+      for (unsigned hits = rays.touched(node.boxes, left, per_box, near); hits != 0;
+           hits &= hits - 1) {
+        const int box = std::countr_zero(hits);
+        int place = size++;
+        for (; place > begin && stack[place - 1].near < near[box]; --place) {
+          stack[place] = stack[place - 1];
+        }
+        stack[place] = {near[box], node.child[box], per_box[box]};
+      }
+    }
+  }
+
   const BoxSpace& space() const { return space_; }
 
  private:

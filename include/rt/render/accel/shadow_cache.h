@@ -20,8 +20,9 @@ class ShadowCache {
  public:
   explicit ShadowCache(const RenderPlan& plan);
 
-  /// For shadow rays from `position` towards light `light`.
-  Candidates towards(std::size_t light, const Vec3& position);
+  /// For shadow rays from `position` towards light `light`. The answer holds for all positions in
+  /// `cell`, lower faces included; that is empty where space is not divided into cells.
+  Candidates towards(std::size_t light, const Vec3& position, Bounds* cell = nullptr);
 
  private:
   static constexpr std::size_t entries = 1024;

@@ -1,0 +1,63 @@
+#pragma once
+/// Shapes that meet several rays at a time. Only what is decided by plain arithmetic is done here,
+/// operation by operation as in the scalar functions of the same names; rays that are so near to
+/// tangency, an edge or another surface that rounding decides are left to those.
+#include "rt/geometry/shape.h"
+#include "rt/math/wide.h"
+
+namespace rt {
+
+struct WideRay {
+  Wide3 origin, direction;
+
+  Ray lane(int i) const { return {origin.lane(i), direction.lane(i)}; }
+};
+
+/// What lanes cross, and where. Lanes that are undecided are in no way hits.
+struct WideHit {
+  WideMask hit;
+  WideMask undecided;
+  Wide t;
+  Wide feature;
+};
+
+struct WideSurfacePoint {
+  Wide3 position;
+  Wide3 normal;  ///< also the one for shading
+};
+
+/// The first crossing with 0 < t <= t_max of rays that have not left this very shape.
+/// `position_error`: as in RayStart; of all lanes zero, or of none.
+WideHit intersect(const Sphere& shape, const WideRay& ray, const Wide& t_max,
+                  const Wide& position_error);
+WideHit intersect(const Plane& shape, const WideRay& ray, const Wide& t_max,
+                  const Wide& position_error);
+WideHit intersect(const Square& shape, const WideRay& ray, const Wide& t_max,
+                  const Wide& position_error);
+WideHit intersect(const Box& shape, const WideRay& ray, const Wide& t_max,
+                  const Wide& position_error);
+WideHit intersect(const Cylinder& shape, const WideRay& ray, const Wide& t_max,
+                  const Wide& position_error);
+
+/// Where rays that start on the sphere, going inward, come out.
+WideHit leave_inward(const Sphere& shape, const WideRay& ray, const Wide& t_max);
+
+WideSurfacePoint surface_point(const Sphere& shape, const WideRay& ray, const Wide& t,
+                               const Wide& feature);
+WideSurfacePoint surface_point(const Plane& shape, const WideRay& ray, const Wide& t,
+                               const Wide& feature);
+WideSurfacePoint surface_point(const Square& shape, const WideRay& ray, const Wide& t,
+                               const Wide& feature);
+WideSurfacePoint surface_point(const Box& shape, const WideRay& ray, const Wide& t,
+                               const Wide& feature);
+WideSurfacePoint surface_point(const Cylinder& shape, const WideRay& ray, const Wide& t,
+                               const Wide& feature);
+
+/// The shapes that have these functions.
+template <class S>
+concept WideShape = requires(const S& shape, const WideRay& ray, const Wide& w) {
+  intersect(shape, ray, w, w);
+  surface_point(shape, ray, w, w);
+};
+
+}  // namespace rt

@@ -1,0 +1,26 @@
+#pragma once
+/// The two questions asked of a scene (query.h), for packets of rays in a scene that stands still.
+/// Every lane gets the answer that its ray alone would get, bit for bit.
+#include <span>
+
+#include "rt/render/packet/packet.h"
+#include "rt/render/plan.h"
+
+namespace rt {
+
+PacketHits closest_hits(const RenderPlan& plan, const Packet& packet);
+
+/// The same, when only these instances can be crossed.
+PacketHits closest_hits_among(const RenderPlan& plan, std::span<const std::uint32_t> instances,
+                              const Packet& packet);
+
+/// The lanes of `active` whose rays something that blocks shadow rays crosses with 0 < t <= t_max.
+unsigned occluded_lanes(const RenderPlan& plan, const Packet& packet, const Wide& t_max);
+/// The same, when only these instances can.
+unsigned occluded_lanes_by(const RenderPlan& plan, std::span<const std::uint32_t> instances,
+                           const Packet& packet, const Wide& t_max);
+
+/// The rays in an instance's model space, with the same t.
+WideRay model_rays(const Placement& instance, const WideRay& ray);
+
+}  // namespace rt

@@ -1,0 +1,42 @@
+#pragma once
+/// Points to be shaded, several at a time: shading.h and direct_light.h lane by lane.
+#include "rt/render/direct_light.h"
+#include "rt/render/packet/packet.h"
+
+namespace rt {
+
+/// Hits of one instance: as ShadingPoint.
+struct WideShadingPoint {
+  Wide3 position;
+  Wide3 normal, shading_normal;
+  unsigned from_outside = 0;  ///< lanes whose ray came from the outer side
+  Wide position_error;
+  std::uint32_t instance = no_instance;
+  Wide feature;
+
+  ShadingPoint lane(int i) const;
+  void set(int i, const ShadingPoint& point);
+};
+
+/// The hits of those lanes of `bits`, all of one instance.
+WideShadingPoint shading_points(const RenderPlan& plan, const Packet& packet,
+                                const PacketHits& hits, std::uint32_t instance, unsigned bits);
+
+/// Rays from those lanes, which know what they leave and to which side.
+Packet leave(const WideShadingPoint& from, const Wide3& direction, unsigned bits);
+
+/// As Phong, textures resolved in every lane.
+struct WidePhong {
+  Wide3 kd, ks;
+  double shininess;
+  double least_r_dot_v;
+};
+
+/// Light `index` reflected towards `view`; 0 in lanes that are not of `bits`. `samplers`: one a
+/// lane.
+Wide3 direct_light(const RenderPlan& plan, std::size_t index, const WidePhong& phong,
+                   const WideShadingPoint& point, unsigned bits, const Wide3& view,
+                   const Sampler* samplers, const Vertex& vertex, const Wide& negligible,
+                   ShadowCache& cache, RayCounts& counts);
+
+}  // namespace rt

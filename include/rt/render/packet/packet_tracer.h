@@ -1,0 +1,60 @@
+#pragma once
+/// The recursive shader (tracer.h) for several samples at a time.
+#include <array>
+#include <vector>
+
+#include "rt/render/accel/candidates.h"
+#include "rt/render/packet/packet_shading.h"
+
+namespace rt {
+
+/// Follows the paths of as many samples as a register holds doubles, as long as they meet the same
+/// things; where they part, the packet divides. Each sample's radiance is that of Tracer, bit for
+/// bit: the same operations in the same order. For scenes where nothing moves, no medium absorbs
+/// and no texture asks for footprints.
+class PacketTracer {
+ public:
+  static bool serves(const RenderPlan& plan);
+
+  explicit PacketTracer(const RenderPlan& plan);
+
+  /// The radiance that arrives along the packet's camera rays (of any length). `y`: as for Tracer,
+  /// `samplers`: one a lane.
+  Wide3 radiance(Packet camera, const Wide& y, const std::array<Sampler, lanes>& samplers,
+                 RayCounts& counts, const Candidates& sight);
+
+ private:
+  struct Path {
+    Packet packet;
+    Wide3 throughput;
+    Vertex vertex;
+    int depth;
+  };
+  struct Scatter;
+
+  void follow(const Path& path);
+  void shade(const Path& path, const PacketHits& hits, std::uint32_t instance, unsigned bits);
+  Wide3 surface(const Scatter& at);
+  void scatter(Scatter& at);
+  void divide(Scatter& at, const Wide& reflected, const Wide& transmitted);
+  void reflect(const Scatter& at, unsigned bits, const Wide3& throughput);
+  void transmit(const Scatter& at, unsigned bits, const Wide3& throughput);
+  void add(const Scatter& at, unsigned bits, const Wide3& direction, const Wide3& throughput,
+           bool drawn);
+  void push(const Scatter& at, unsigned bits, const Wide3& direction, const Wide3& throughput,
+            const Vertex& vertex, bool outward);
+
+  const RenderPlan& plan_;
+  double negligible_;
+  ShadowCache shadow_cache_;
+  std::vector<Path> open_;
+
+  // Of the samples being taken.
+  Wide3 sum_;
+  Wide y_;
+  Candidates sight_;
+  const Sampler* samplers_ = nullptr;
+  RayCounts* counts_ = nullptr;
+};
+
+}  // namespace rt

@@ -1,0 +1,143 @@
+#include <cmath>
+
+#include "rt/math/rounding.h"
+#include "rt/render/packet/packet_query.h"
+#include "rt/render/packet/packet_shading.h"
+
+namespace rt {
+namespace {
+
+/// As LightSample.
+struct WideLightSample {
+  Wide3 direction;
+  Wide distance;
+  Wide weight{1.0};
+  unsigned shadowed = all_lanes;
+
+  void set(int i, const LightSample& s) {
+    const auto at = static_cast<std::size_t>(i);
+    direction.set(i, s.direction);
+    distance[at] = s.distance;
+    weight[at] = s.weight;
+    shadowed = (shadowed & ~(1U << i)) | static_cast<unsigned>(s.shadowed) << i;
+  }
+};
+
+Wide falloff(const Light& light, const Wide& distance) {
+  const auto& f = light.falloff;
+  return 1.0 / (f.c0 + distance * (f.c1 + distance * f.c2));
+}
+
+WideLightSample sample_light(const Light& light, const WideShadingPoint& point, unsigned bits,
+                             const Sampler* samplers, const Vertex& vertex) {
+  WideLightSample out;
+  if (light.radius > 0.0 || light.rectangle) {
+    each_lane(bits, [&](int i) {
+      out.set(i, sample_light(light, point.lane(i), samplers[i], vertex));
+    });
+    return out;
+  }
+  const Wide3 to_light = Wide3(light.position) - point.position;
+  out.distance = length(to_light);
+  out.direction = to_light * (1.0 / out.distance);
+  return out;
+}
+
+bool is_black(const Wide3& c) { return !any(c.x != 0.0 || c.y != 0.0 || c.z != 0.0); }
+
+Wide3 reflected(const WidePhong& phong, const WideShadingPoint& point, const Wide3& view,
+                const Wide3& l, unsigned bits) {
+  const Wide n_dot_l = dot(point.shading_normal, l);
+  const WideMask lit = n_dot_l > 0.0 && dot(point.normal, l) > 0.0;
+  Wide3 sum = phong.kd * n_dot_l;
+  if (!is_black(phong.ks)) {
+    const Wide r_dot_v = 2.0 * n_dot_l * dot(point.shading_normal, view) - dot(l, view);
+    const unsigned shining = bits_of(lit && r_dot_v > phong.least_r_dot_v) & bits;
+    if (shining != 0) {
+      Wide power(0.0);
+      each_lane(shining, [&](int i) {
+        const auto at = static_cast<std::size_t>(i);
+        power[at] = std::pow(r_dot_v[at], phong.shininess);
+      });
+      sum = select(mask_of(shining), sum + phong.ks * power, sum);
+    }
+  }
+  return select(lit && mask_of(bits), sum, Wide3(Wide(0.0)));
+}
+
+/// The lanes of `bits` in the cell.
+unsigned inside(const Bounds& cell, const Wide3& p, unsigned bits) {
+  return bits & bits_of(p.x >= cell.lo.x && p.x < cell.hi.x && p.y >= cell.lo.y &&
+                        p.y < cell.hi.y && p.z >= cell.lo.z && p.z < cell.hi.z);
+}
+
+/// The lanes of `bits` that see the light; adds to `dimming` those whose light may be dimmed.
+unsigned seeing(const RenderPlan& plan, std::size_t index, const WideShadingPoint& from,
+                const Packet& shadow, const Wide& reach, ShadowCache& cache, unsigned& dimming) {
+  unsigned hidden = 0;
+  unsigned unknown = 0;
+  for (unsigned rest = shadow.active; rest != 0;) {
+    const int first = std::countr_zero(rest);
+    Bounds cell;
+    const Candidates blockers = cache.towards(index, from.position.lane(first), &cell);
+    const unsigned here = inside(cell, from.position, rest) | 1U << first;
+    rest &= ~here;
+    if (!blockers.known) {
+      unknown |= here;
+      continue;
+    }
+    if (blockers.dims) {
+      dimming |= here;
+    }
+    if (!blockers.instances.empty()) {
+      Packet some = shadow;
+      some.active = here;
+      hidden |= occluded_lanes_by(plan, blockers.instances, some, reach);
+    }
+  }
+  if (unknown != 0) {
+    Packet some = shadow;
+    some.active = unknown;
+    hidden |= occluded_lanes(plan, some, reach);
+    dimming |= unknown;
+  }
+  return shadow.active & ~hidden;
+}
+
+}  // namespace
+
+Wide3 direct_light(const RenderPlan& plan, std::size_t index, const WidePhong& phong,
+                   const WideShadingPoint& point, unsigned bits, const Wide3& view,
+                   const Sampler* samplers, const Vertex& vertex, const Wide& negligible,
+                   ShadowCache& cache, RayCounts& counts) {
+  const Light& light = plan.lights[index];
+  if (is_black(phong.kd) && is_black(phong.ks)) {
+    return Wide3(Wide(0.0));
+  }
+  const WideLightSample s = sample_light(light, point, bits, samplers, vertex);
+  Wide3 value = reflected(phong, point, view, s.direction, bits) * Wide3(light.colour) *
+                (s.weight * falloff(light, s.distance));
+  const unsigned matters = bits_of(max_abs(value) > negligible) & bits;
+  const unsigned shadowed = matters & s.shadowed;
+  unsigned seen = matters;
+  unsigned dimming = 0;
+  if (shadowed != 0) {
+    // A surface through the light, as far as rounding can tell, does not shadow it.
+    const Wide reach =
+        s.distance - (point.position_error + gamma(4) * Wide(max_abs(light.position)));
+    counts.shadow += static_cast<unsigned>(std::popcount(shadowed));
+    const Packet shadow = leave(point, s.direction, shadowed);
+    seen &= ~shadowed | seeing(plan, index, point, shadow, reach, cache, dimming);
+    dimming &= seen & shadowed;
+    if (plan.dims && dimming != 0) {
+      each_lane(dimming, [&](int i) {
+        const auto at = static_cast<std::size_t>(i);
+        value.set(i, value.lane(i) *
+                         dimmed(plan, point.lane(i), s.direction.lane(i), reach[at], counts));
+      });
+    }
+  }
+  return select(mask_of(seen), value, Wide3(Wide(0.0)));
+}
+
+}  // namespace rt

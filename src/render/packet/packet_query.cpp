@@ -1,0 +1,177 @@
+#include "rt/render/packet/packet_query.h"
+
+#include <algorithm>
+
+#include "packet_walk.h"
+#include "rt/math/rounding.h"
+#include "rt/render/query.h"
+
+namespace rt {
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+WideRay to_model(const Placement& placement, const Packet& packet, Wide& position_error) {
+  if (packet.instance != no_instance) {  // as for a single ray: query.cpp
+    const Wide reach = placement.model_per_render * max_abs(packet.ray.origin) +
+                       Wide(max_abs(placement.model_from_render.offset));
+    position_error =
+        placement.model_per_render * packet.position_error + gamma(12) * reach;
+  }
+  return model_rays(placement, packet.ray);
+}
+
+/// The crossings of lanes that start elsewhere.
+WideHit meet(const PlannedInstance& instance, const Packet& packet, const Wide& t_max) {
+  Wide position_error(0.0);
+  return std::visit(
+      [&](const auto& shape) -> WideHit {
+        if constexpr (WideShape<std::decay_t<decltype(shape)>>) {
+          const WideRay ray = to_model(instance, packet, position_error);
+          return intersect(shape, ray, t_max, position_error);
+        } else {
+          return {WideMask(false), WideMask(true), Wide(0.0), Wide(0.0)};
+        }
+      },
+      *instance.shape);
+}
+
+/// The crossings of the instance that the lanes have left.
+WideHit meet_again(const PlannedInstance& instance, const Packet& packet, const Wide& t_max) {
+  if (const auto* sphere = std::get_if<Sphere>(instance.shape.get())) {
+    WideHit again = leave_inward(*sphere, model_rays(instance, packet.ray), t_max);
+    again.hit = again.hit && !mask_of(packet.outward);
+    return again;
+  }
+  return {WideMask(false), mask_of(instance.convex ? ~packet.outward & all_lanes : all_lanes),
+          Wide(0.0), Wide(0.0)};
+}
+
+/// The crossings of those lanes of the packet that are in `bits`; none is left undecided.
+WideHit crossings(const RenderPlan& plan, std::uint32_t id, const Packet& packet, unsigned bits,
+                  const Wide& t_max) {
+  const PlannedInstance& instance = plan.instances[id];
+  WideHit found = packet.instance == id ? meet_again(instance, packet, t_max)
+                                        : meet(instance, packet, t_max);
+  unsigned hit = bits_of(found.hit) & bits;
+  const unsigned undecided = bits_of(found.undecided) & bits;
+  if (undecided != 0) {
+    each_lane(undecided, [&](int i) {
+      const auto at = static_cast<std::size_t>(i);
+      if (const auto one = instance_hit(plan, id, packet.lane(i), t_max[at])) {
+        hit |= 1U << i;
+        found.t[at] = one->t;
+        found.feature[at] = one->feature;
+      }
+    });
+  }
+  found.hit = mask_of(hit);
+  return found;
+}
+
+/// Keeps each lane's winner among the crossings offered: as Nearest in query.cpp.
+class WideNearest {
+ public:
+  WideNearest(const RenderPlan& plan, const Packet& packet)
+      : plan_(plan), origin_(max_abs(packet.ray.origin)) {}
+
+  const Wide& limit() const { return limit_; }
+
+  void offer(std::uint32_t id, const WideHit& crossing) {
+    const Wide t = select(crossing.hit, crossing.t, Wide(inf));
+    const WideMask nearer = t < nearest_;
+    nearest_ = select(nearer, t, nearest_);
+    limit_ = select(nearer, min(limit_, t + tie * (t + origin_)), limit_);
+    const double rank = rank_of(id);
+    const WideMask wins = crossing.hit && (t_ > limit_ || rank < rank_);
+    t_ = select(wins, t, t_);
+    rank_ = select(wins, Wide(rank), rank_);
+    feature_ = select(wins, crossing.feature, feature_);
+  }
+
+  PacketHits hits() const {
+    PacketHits out{t_, feature_, {}};
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const double rank = rank_[i];
+      out.instance[i] = rank == inf ? no_instance
+                                    : static_cast<std::uint32_t>(rank < clear ? rank : rank - clear);
+    }
+    return out;
+  }
+
+ private:
+  /// Surfaces that coincide belong to the opaque one, else to the first: the least rank.
+  static constexpr double clear = 0x1p32;
+  double rank_of(std::uint32_t id) const {
+    return plan_.materials[plan_.instances[id].material].transmissive ? 1.0 * id + clear : 1.0 * id;
+  }
+
+  const RenderPlan& plan_;
+  Wide origin_;
+  Wide nearest_{inf};
+  Wide limit_{inf};
+  Wide t_{inf};
+  Wide rank_{inf};
+  Wide feature_{0.0};
+};
+
+/// Lanes whose ray may block for instance `id`.
+bool may_block(const PlannedInstance& instance) { return instance.shadow == Shadow::blocks; }
+
+}  // namespace
+
+WideRay model_rays(const Placement& instance, const WideRay& ray) {
+  if (instance.moved_only) {
+    return {ray.origin + Wide3(instance.model_from_render.offset), ray.direction};
+  }
+  return {point(instance.model_from_render, ray.origin),
+          instance.model_from_render.linear * ray.direction};
+}
+
+PacketHits closest_hits(const RenderPlan& plan, const Packet& packet) {
+  WideNearest nearest(plan, packet);
+  each_candidate(plan, packet, Wide(inf), [&](std::uint32_t id, unsigned bits) {
+    nearest.offer(id, crossings(plan, id, packet, bits, nearest.limit()));
+    return nearest.limit();
+  });
+  return nearest.hits();
+}
+
+PacketHits closest_hits_among(const RenderPlan& plan, std::span<const std::uint32_t> instances,
+                              const Packet& packet) {
+  WideNearest nearest(plan, packet);
+  for (const std::uint32_t id : instances) {
+    nearest.offer(id, crossings(plan, id, packet, packet.active, nearest.limit()));
+  }
+  return nearest.hits();
+}
+
+unsigned occluded_lanes(const RenderPlan& plan, const Packet& packet, const Wide& t_max) {
+  unsigned found = 0;
+  Wide limit = t_max;
+  each_candidate(plan, packet, t_max, [&](std::uint32_t id, unsigned bits) {
+    if (may_block(plan.instances[id])) {
+      found |= bits_of(crossings(plan, id, packet, bits & ~found, t_max).hit);
+      limit = select(mask_of(found), Wide(-1.0), t_max);
+    }
+    return limit;
+  });
+  return found & packet.active;
+}
+
+unsigned occluded_lanes_by(const RenderPlan& plan, std::span<const std::uint32_t> instances,
+                           const Packet& packet, const Wide& t_max) {
+  unsigned found = 0;
+  for (const std::uint32_t id : instances) {
+    const unsigned open = packet.active & ~found;
+    if (open == 0) {
+      break;
+    }
+    if (may_block(plan.instances[id])) {
+      found |= bits_of(crossings(plan, id, packet, open, t_max).hit);
+    }
+  }
+  return found;
+}
+
+}  // namespace rt

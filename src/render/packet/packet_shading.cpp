@@ -1,0 +1,91 @@
+#include "rt/render/packet/packet_shading.h"
+
+#include "rt/math/rounding.h"
+#include "rt/render/packet/packet_query.h"
+
+namespace rt {
+
+ShadingPoint WideShadingPoint::lane(int i) const {
+  const auto at = static_cast<std::size_t>(i);
+  ShadingPoint p;
+  p.position = position.lane(i);
+  p.normal = normal.lane(i);
+  p.shading_normal = shading_normal.lane(i);
+  p.side = (from_outside >> i & 1U) != 0 ? Leaving::outward : Leaving::inward;
+  p.position_error = position_error[at];
+  p.instance = instance;
+  p.feature = static_cast<std::uint32_t>(feature[at]);
+  p.time = 0.0;
+  return p;
+}
+
+void WideShadingPoint::set(int i, const ShadingPoint& p) {
+  const auto at = static_cast<std::size_t>(i);
+  position.set(i, p.position);
+  normal.set(i, p.normal);
+  shading_normal.set(i, p.shading_normal);
+  from_outside = (from_outside & ~(1U << i)) |
+                 static_cast<unsigned>(p.side == Leaving::outward) << i;
+  position_error[at] = p.position_error;
+  feature[at] = p.feature;
+}
+
+namespace {
+
+Wide3 render_normal(const Placement& instance, const Wide3& n) {
+  if (instance.moved_only) {
+    return n;
+  }
+  const Wide3 v = n * instance.model_from_render.linear;
+  return normalize(v / max_abs(v));
+}
+
+template <class S>
+WideShadingPoint point_on(const S& shape, const Placement& placement, const Packet& packet,
+                          const PacketHits& hits) {
+  const WideRay ray = model_rays(placement, packet.ray);
+  const WideSurfacePoint p = surface_point(shape, ray, hits.t, hits.feature);
+  WideShadingPoint point;
+  point.position = rt::point(placement.render_from_model, p.position);
+  point.position_error =
+      gamma(16) * (placement.render_per_model * max_abs(p.position) +
+                   Wide(max_abs(placement.render_from_model.offset)));
+  const Wide3 normal = render_normal(placement, p.normal);
+  const WideMask from_outside = dot(p.normal, ray.direction) <= 0.0;
+  point.normal = select(from_outside, normal, -normal);
+  point.shading_normal = point.normal;
+  point.from_outside = bits_of(from_outside);
+  return point;
+}
+
+}  // namespace
+
+WideShadingPoint shading_points(const RenderPlan& plan, const Packet& packet,
+                                const PacketHits& hits, std::uint32_t id, unsigned bits) {
+  const PlannedInstance& instance = plan.instances[id];
+  WideShadingPoint point = std::visit(
+      [&](const auto& shape) {
+        if constexpr (WideShape<std::decay_t<decltype(shape)>>) {
+          return point_on(shape, instance, packet, hits);
+        } else {
+          WideShadingPoint one_by_one{};
+          each_lane(bits, [&](int i) {
+            one_by_one.set(i, shading_point(plan, packet.lane(i), hits.lane(i)));
+          });
+          return one_by_one;
+        }
+      },
+      *instance.shape);
+  point.instance = id;
+  point.feature = hits.feature;
+  return point;
+}
+
+Packet leave(const WideShadingPoint& from, const Wide3& direction, unsigned bits) {
+  const unsigned to_seen_side = bits_of(dot(from.normal, direction) >= 0.0);
+  return {{from.position, direction}, bits,
+          from.position_error,        from.instance,
+          from.feature,               ~(to_seen_side ^ from.from_outside) & all_lanes};
+}
+
+}  // namespace rt
