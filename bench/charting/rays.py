@@ -64,7 +64,8 @@ def report(data, heading):
         "bench/rays: the same single rays, one thread, medians of rounds in turns. Embree: "
         "rtcIntersect1 and rtcOccluded1, robust scene of high build quality, native triangles, "
         "user geometry with double-precision leaves for balls, "
-        "nothing of ours about them. Ours: closest_hit() and occluded(), one ray at a time, "
+        "nothing of ours about them. Ours: closest_hit() and occluded(), one ray at a time, and "
+        "closest_hits() for packets of the camera's, "
         "without what the renderer keeps of a pixel's "
         "neighbourhood. Agreeing: rays of which both say the same.", table,
         f"Aimed at: {ASKED:g} everywhere. The least is {worst:.2f}: "

@@ -14,6 +14,7 @@
 #include "common/job.h"
 #include "rays/embree.h"
 #include "rays/scenes.h"
+#include "rt/render/packet/packet_query.h"
 #include "rt/render/query.h"
 #include "rt/render/threads.h"
 
@@ -32,6 +33,31 @@ double timed(const Rays& rays, std::vector<double>& answers, const Answer& answe
   return thread_seconds() - begin;
 }
 
+/// The camera's rays in packets, as the renderer takes them where it can.
+std::vector<Packet> packets_of(const std::vector<TraceRay>& rays) {
+  std::vector<Packet> packets((rays.size() + lanes - 1) / lanes);
+  for (std::size_t i = 0; i < lanes * packets.size(); ++i) {
+    const TraceRay& ray = rays[std::min(i, rays.size() - 1)];
+    Packet& packet = packets[i / lanes];
+    packet.ray.origin.set(static_cast<int>(i % lanes), ray.origin);
+    packet.ray.direction.set(static_cast<int>(i % lanes), ray.direction);
+    packet.active = all_lanes;
+  }
+  return packets;
+}
+
+double timed(const RenderPlan& plan, const std::vector<Packet>& packets,
+             std::vector<double>& answers) {
+  const double begin = thread_seconds();
+  for (std::size_t i = 0; i < answers.size(); i += lanes) {
+    const PacketHits hits = closest_hits(plan, packets[i / lanes]);
+    for (std::size_t k = i; k < std::min(i + lanes, answers.size()); ++k) {
+      answers[k] = hits.t[k - i];
+    }
+  }
+  return thread_seconds() - begin;
+}
+
 double agreeing(const std::vector<double>& a, const std::vector<double>& b) {
   std::size_t same = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -40,30 +66,50 @@ double agreeing(const std::vector<double>& a, const std::vector<double>& b) {
   return static_cast<double>(same) / static_cast<double>(std::max<std::size_t>(a.size(), 1));
 }
 
+struct Timed {
+  double seconds;
+  std::vector<double> answers;
+};
+
+void print(const char* name, const Subject& subject, const char* kind, const Timed& own,
+           const Timed& theirs) {
+  const auto count = static_cast<double>(own.answers.size());
+  fmt::print("{},{},{},{},{:.6g},{:.6g},{:.6f}\n", name,
+             subject.mesh ? subject.mesh->triangles.size() : subject.balls.size(), kind, count,
+             count / own.seconds, count / theirs.seconds, agreeing(own.answers, theirs.answers));
+}
+
+void compare_once(const char* name, const Subject& subject, const RenderPlan& plan,
+                  const RawEmbree& embree, const Rays& rays) {
+  const bool shadow = !rays.reach.empty();
+  Timed own{0.0, std::vector<double>(rays.rays.size())};
+  Timed theirs = own;
+  own.seconds = timed(rays, own.answers, [&](const TraceRay& ray, double reach) {
+    if (shadow) {
+      return occluded(plan, ray, reach) ? 0.0 : INFINITY;
+    }
+    const auto hit = closest_hit(plan, ray);
+    return hit ? hit->t : INFINITY;
+  });
+  theirs.seconds = timed(rays, theirs.answers, [&](const TraceRay& ray, double reach) {
+    return shadow ? (embree.occluded(ray, reach) ? 0.0 : INFINITY) : double{embree.closest(ray)};
+  });
+  print(name, subject, rays.kind, own, theirs);
+  if (!shadow && rays.rays[0].instance == no_instance) {
+    const std::vector<Packet> packets = packets_of(rays.rays);
+    own.seconds = timed(plan, packets, own.answers);
+    print(name, subject, "camera (ours in packets)", own, theirs);
+  }
+}
+
 void compare(const char* name, const Subject& subject, int edge, int rounds) {
   const RenderJob job = job_of(subject, edge);
   const RenderPlan plan = make_plan(job);
   const RawEmbree embree(subject, job.camera.eye);
+  const std::vector<Rays> kinds = rays_through(plan, edge);
   for (int round = 0; round < rounds; ++round) {
-    for (const Rays& rays : rays_through(plan, edge)) {
-      const bool shadow = !rays.reach.empty();
-      std::vector<double> own(rays.rays.size());
-      std::vector<double> theirs(rays.rays.size());
-      const double our_time = timed(rays, own, [&](const TraceRay& ray, double reach) {
-        if (shadow) {
-          return occluded(plan, ray, reach) ? 0.0 : INFINITY;
-        }
-        const auto hit = closest_hit(plan, ray);
-        return hit ? hit->t : INFINITY;
-      });
-      const double their_time = timed(rays, theirs, [&](const TraceRay& ray, double reach) {
-        return shadow ? (embree.occluded(ray, reach) ? 0.0 : INFINITY)
-                      : double{embree.closest(ray)};
-      });
-      const double count = static_cast<double>(rays.rays.size());
-      fmt::print("{},{},{},{},{:.6g},{:.6g},{:.6f}\n", name,
-                 subject.mesh ? subject.mesh->triangles.size() : subject.balls.size(), rays.kind,
-                 count, count / our_time, count / their_time, agreeing(own, theirs));
+    for (const Rays& rays : kinds) {
+      compare_once(name, subject, plan, embree, rays);
     }
   }
 }
