@@ -125,7 +125,7 @@ def draw(axes, rows, title, slopes=False, error="rmse", label_of_error="linear R
         style.line(axes, points, "time", error, label, index, dash="-" if own else "--")
     for row in rows:
         if row["series"] == "adaptive" and str(row["setting"]).endswith("--max-error 0.02"):
-            axes.annotate("default", (row["time"], row[error]), (22, 14), fontsize=8,
+            axes.annotate("default", (row["time"], row[error]), (-14, -26), fontsize=8,
                           textcoords="offset points", ha="center",
                           arrowprops={"arrowstyle": "-", "color": style.GREY})
     style.log_log(axes, "processor time of tracing, s", label_of_error, title)

@@ -18,7 +18,7 @@ def measure(context):
     rows = []
     for name in SCENES:
         scene, depth = scene_of(name), ["--max-depth", DEPTH]
-        truth = curves.own_truth(context, scene, size, 128 if context.quick else 2048, *depth)
+        truth = curves.own_truth(context, scene, size, 128 if context.quick else 1024, *depth)
         cases = [curves.own_case(context, scene, ["--samples", str(n), *depth],
                                  "one path a sample", size, truth)
                  for n in ((4, 16) if context.quick else (1, 4, 16, 64, 256))]
