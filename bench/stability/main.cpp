@@ -20,15 +20,19 @@ int main(int argc, char** argv) {
       "from "
       "the surface along its normal beyond the last place of t; `point` is the same of the refined "
       "surface point, `normal` the normal's deviation from unit length.\n\n");
-  fmt::print("## Torus, methods side by side\n\n{}\n", torus_tables(options));
+  const std::vector<rt::bench::Figures> own = own_figures(options);
+  fmt::print("## Torus, methods side by side\n\n{}\n", torus_tables(options, own));
   std::fflush(stdout);
-  fmt::print("## Every shape\n\n{}\n", shape_table(options));
+  fmt::print("## Every shape\n\n{}\n", shape_table(own));
   std::fflush(stdout);
   if (options.secondary > 0) {
     fmt::print(
-        "## Leaving a surface\n\nSecondary rays from spheres, boxes, cylinders, blobs and thick, "
-        "spindle and thin tori, at scales 1e-8 to 1e8, turned, at the world's origin and 1e3 sizes "
-        "away from it; a quarter of them within 1e-9 to 1e-1 of the tangent plane. Below "
+        "## Leaving a surface\n\nSecondary rays from spheres, boxes, cylinders, cones, blobs, "
+        "thick, "
+        "spindle and thin tori, and closed meshes (a box, a sphere, a torus), at scales 1e-8 to "
+        "1e8, turned, at the world's origin and 1e3 sizes "
+        "away from it; a quarter of them within 1e-9 to 1e-1 of the tangent plane, on "
+        "meshes half of them near an edge. Below "
         "resolution: "
         "decided otherwise for a surface moved by the error of the ray's origin.\n\n{}",
         leaving_table(options));

@@ -5,7 +5,6 @@
 
 #include <fstream>
 
-#include "stability/checker.h"
 #include "stability/leaving.h"
 #include "stability/parallel.h"
 #include "stability/solvers.h"
@@ -73,7 +72,27 @@ std::string heading(const std::string& first, const std::vector<std::string>& co
   return row(first, columns) + row("---", std::vector<std::string>(columns.size(), "---"));
 }
 
+/// A tally of many rays without what it keeps of each.
+Tally lean(Tally tally) {
+  tally.relative_t = {};
+  return tally;
+}
+
 }  // namespace
+
+std::vector<Figures> own_figures(const Options& options) {
+  const std::vector<Family> families = stability::families();
+  std::vector<Figures> figures(families.size());
+  in_parallel(families.size(), options.threads, [&](std::size_t i) {
+    Tally tally = run(families[i], stability::own_solver, options.rays, 2024);
+    const double t_error = tally.relative_t_at(0.999);
+    figures[i] = {families[i], lean(std::move(tally)), t_error};
+    const Tally& t = figures[i].tally;
+    fmt::print(stderr, "{}: {} rays, {} ({}) missed, {} ({}) false\n", families[i].name(), t.rays,
+               t.missed, t.missed_below_resolution, t.false_hits, t.false_below_resolution);
+  });
+  return figures;
+}
 
 std::string circumstances(const Options& options) {
   std::string model = "unknown processor";
@@ -91,9 +110,17 @@ std::string circumstances(const Options& options) {
       fmt::gmtime(now), model, __VERSION__, options.rays, options.other_rays);
 }
 
-std::string torus_tables(const Options& options) {
+std::string torus_tables(const Options& options, const std::vector<Figures>& own) {
   const std::vector<Method> methods = torus_methods();
-  const std::vector<Family> families = stability::families("torus");
+  std::vector<Family> families;
+  std::vector<std::vector<Tally>> tallies;
+  for (const Figures& figures : own) {
+    if (figures.family.shape == "torus") {
+      families.push_back(figures.family);
+      tallies.emplace_back(methods.size());
+      tallies.back()[0] = figures.tally;
+    }
+  }
   std::vector<std::string> names;
   for (const Method& method : methods) {
     names.emplace_back(method.name);
@@ -102,14 +129,13 @@ std::string torus_tables(const Options& options) {
   std::string misses = heading("missed per million", names);
   std::string inventions = heading("false per million", names);
   std::string errors = heading("error / R", names);
-  std::vector<std::vector<Tally>> tallies(families.size(), std::vector<Tally>(methods.size()));
-  in_parallel(families.size() * methods.size(), options.threads, [&](std::size_t i) {
-    const std::size_t m = i % methods.size();
+  const std::size_t others = methods.size() - 1;
+  in_parallel(families.size() * others, options.threads, [&](std::size_t i) {
+    const std::size_t m = 1 + i % others;
     const stability::Solver solver = [solve = methods[m].solve](const Shape& s, const Ray& ray) {
       return solve(std::get<Torus>(s), ray);
     };
-    tallies[i / methods.size()][m] =
-        run(families[i / methods.size()], solver, m == 0 ? options.rays : options.other_rays, 2024);
+    tallies[i / others][m] = lean(run(families[i / others], solver, options.other_rays, 2024));
   });
   for (std::size_t f = 0; f < families.size(); ++f) {
     std::vector<std::string> ns, miss, invented, error;
@@ -130,24 +156,18 @@ std::string torus_tables(const Options& options) {
   return cost + "\n" + misses + "\n" + inventions + "\n" + errors;
 }
 
-std::string shape_table(const Options& options) {
+std::string shape_table(const std::vector<Figures>& own) {
   std::string out = heading(
       "family", {"rays", "hits", "missed", "false", "error", "point", "normal", "t p99.9", "ns"});
-  const std::vector<Family> families = stability::families();
-  std::vector<Tally> tallies(families.size());
-  in_parallel(families.size(), options.threads, [&](std::size_t i) {
-    tallies[i] = run(families[i], stability::own_solver, options.rays, 77);
-  });
-  for (std::size_t i = 0; i < families.size(); ++i) {
-    Tally& t = tallies[i];
-    out +=
-        row(families[i].name(),
-            {fmt::format("{:.0e}", static_cast<double>(t.rays)), std::to_string(t.hits),
-             failures(t.missed, t.missed_below_resolution, t.rays),
-             failures(t.false_hits, t.false_below_resolution, t.rays),
-             fmt::format("{:.1e}", t.error), fmt::format("{:.1e}", t.point_error),
-             fmt::format("{:.1e}", t.normal_error), fmt::format("{:.1e}", t.relative_t_at(0.999)),
-             fmt::format("{:.0f}", shape_time(families[i]))});
+  for (const Figures& figures : own) {
+    const Tally& t = figures.tally;
+    out += row(figures.family.name(),
+               {fmt::format("{:.0e}", static_cast<double>(t.rays)), std::to_string(t.hits),
+                failures(t.missed, t.missed_below_resolution, t.rays),
+                failures(t.false_hits, t.false_below_resolution, t.rays),
+                fmt::format("{:.1e}", t.error), fmt::format("{:.1e}", t.point_error),
+                fmt::format("{:.1e}", t.normal_error), fmt::format("{:.1e}", figures.t_error),
+                fmt::format("{:.0f}", shape_time(figures.family))});
   }
   return out;
 }
@@ -170,6 +190,8 @@ std::string leaving_table(const Options& options) {
     std::vector<stability::LeavingTally> tallies(placements.size());
     in_parallel(placements.size(), options.threads, [&](std::size_t i) {
       tallies[i] = run_leaving(placements[i], named.policy, each, 1000 + i);
+      fmt::print(stderr, "{}: placement {} of {}, {} rays, {} wrong\n", named.name, i + 1,
+                 placements.size(), tallies[i].rays, tallies[i].failures());
     });
     stability::LeavingTally sum;
     for (const auto& t : tallies) {

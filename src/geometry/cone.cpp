@@ -4,8 +4,8 @@
 
 #include "convex.h"
 #include "longitude.h"
-#include "recentre.h"
 #include "rt/math/rounding.h"
+#include "wide.h"
 
 namespace rt {
 namespace {
@@ -14,24 +14,48 @@ constexpr std::uint32_t side_feature = 0;
 constexpr std::uint32_t disc_feature = 1;
 constexpr double slant = std::numbers::sqrt2 / 2;  ///< components of the side's normal: 45 degrees
 
-/// x^2 + z^2 - (1 - y)^2 along a line: a t^2 + 2 b t + c, at most 0 inside either nappe.
+/// Everything about the side is computed as seen from the apex: what is rounded there is of the
+/// size of the distance from it, as the side's radius is.
+const Vec3 apex(0, 1, 0);
+
+/// x^2 + z^2 - y^2 along a line, from the apex: a t^2 + 2 b t + c, at most 0 inside either nappe.
 struct ConeQuadratic {
   double a, b, c;
+  double noise;  ///< bounds the rounding error of b^2 - a c, of whose terms some cancel
 
   ConeQuadratic(const Vec3& o, const Vec3& d) {
-    const double width = 1 - o.y;
-    a = d.x * d.x + d.z * d.z - d.y * d.y;
-    b = o.x * d.x + o.z * d.z + width * d.y;
-    c = o.x * o.x + o.z * o.z - width * width;
+    const double across = d.x * d.x + d.z * d.z;
+    const double radius = o.x * o.x + o.z * o.z;
+    a = across - d.y * d.y;
+    b = o.x * d.x + o.z * d.z - o.y * d.y;
+    c = radius - o.y * o.y;
+    // Each of the three: two products, two factors rounded before, two sums. Twice, for the
+    // recentring before.
+    const double b_terms = std::abs(o.x * d.x) + std::abs(o.z * d.z) + std::abs(o.y * d.y);
+    noise = 2 * gamma(6) *
+            (2 * std::abs(b) * b_terms + std::abs(a) * (radius + o.y * o.y) +
+             std::abs(c) * (across + d.y * d.y));
   }
 };
 
-/// Where a line is inside the nappe below the apex.
-void clip_side(Chord& chord, const Vec3& o, const Vec3& d) {
+/// The quadratic's discriminant. For a line flatter than the slope it is -a times the value at the
+/// vertex -b / a, which decides tangency; where rounding would, that value is computed in twice the
+/// digits. A steeper line always crosses twice: at the apex' height it is not inside.
+double discriminant(const ConeQuadratic& q, const Ray& ray, const Recentred& line) {
+  const double value = difference_of_products(q.b, q.b, q.a, q.c);
+  if (!(q.a > 0 && std::abs(value) <= q.noise)) {
+    return q.a < 0 ? std::max(value, 0.0) : value;
+  }
+  const WidePoint p = wide_point(ray, line, -q.b / q.a);
+  return -q.a * static_cast<double>(squared(p.x) + squared(p.z) - squared(1 - p.y));
+}
+
+/// Where a line, seen from the apex, is inside the nappe below.
+void clip_side(Chord& chord, const Ray& ray, const Recentred& line) {
+  const Vec3& o = line.origin;
+  const Vec3& d = ray.direction;
   const ConeQuadratic q(o, d);
-  const double discriminant = difference_of_products(q.b, q.b, q.a, q.c);
-  // A line steeper than the slope always crosses twice: at the apex' height it is not inside.
-  const double root = std::sqrt(q.a < 0 ? std::max(discriminant, 0.0) : discriminant);
+  const double root = std::sqrt(discriminant(q, ray, line));
   if (!(root >= 0)) {
     chord.t_out = -infinity;
     return;
@@ -42,7 +66,7 @@ void clip_side(Chord& chord, const Vec3& o, const Vec3& d) {
       chord.t_out = -infinity;
       return;
     }
-    const double at_apex = (1 - o.y) / d.y;
+    const double at_apex = -o.y / d.y;
     d.y < 0 ? chord.clip(at_apex, side_feature, infinity, side_feature)
             : chord.clip(-infinity, side_feature, at_apex, side_feature);
     return;
@@ -54,7 +78,7 @@ void clip_side(Chord& chord, const Vec3& o, const Vec3& d) {
   const double lo = std::min(first, second);
   const double hi = std::max(first, second);
   if (q.a >= 0) {  // flatter than the slope: both crossings are of one nappe
-    if (o.y + second * d.y <= 1) {
+    if (o.y + second * d.y <= 0) {
       chord.clip(lo, side_feature, hi, side_feature);
     } else {
       chord.t_out = -infinity;
@@ -73,10 +97,10 @@ OptionalHit leave_cone(const Ray& ray, double t_max, std::uint32_t left) {
   Chord chord;
   if (left == side_feature) {
     // One root is 0 exactly, so the other is the negative linear term.
-    const ConeQuadratic q(o, d);
+    const ConeQuadratic q(o - apex, d);
     chord.clip(0, side_feature, q.a > 0 ? -2 * q.b / q.a : infinity, side_feature);
   } else {
-    clip_side(chord, o, d);
+    clip_side(chord, ray, {o - apex, 0, 0});
   }
   if (d.y < 0) {
     chord.clip(-infinity, side_feature, -o.y / d.y, disc_feature);
@@ -116,14 +140,21 @@ OptionalHit intersect(const PointedCone& shape, const Ray& ray, double t_max,
   if (start.leaving == Leaving::inward) {
     return leave_cone(ray, t_max, start.feature);
   }
-  const Recentred line = recentred(ray.origin, ray.direction, direction_squared);
-  // The whole cone lies within 1 of the origin.
-  if (!(glm::dot(line.origin, line.origin) <= 1 + gamma(8))) {
+  // From the apex; what the height's difference loses of a distant origin is given back after.
+  const DoublePair height = exact_difference(ray.origin.y, apex.y);
+  Recentred line =
+      recentred({ray.origin.x, height.high, ray.origin.z}, ray.direction, direction_squared);
+  line.origin.y += height.low;
+  // The whole cone lies within sqrt(2) of its apex.
+  if (!(glm::dot(line.origin, line.origin) <= 2 + gamma(16))) {
     return {};
   }
   Chord chord;
-  clip_side(chord, line.origin, ray.direction);
-  chord.clip_slab(line.origin.y, ray.direction.y, 0, disc_feature, 1, side_feature);
+  clip_side(chord, ray, line);
+  // Heights are the model's own, lest a line just below the disc be rounded onto it.
+  const double dy = ray.direction.y;
+  const double y = std::fma(line.residual, dy, std::fma(line.shift, dy, ray.origin.y));
+  chord.clip_slab(y, dy, 0, disc_feature, 1, side_feature);
   if (chord.empty()) {
     return {};
   }

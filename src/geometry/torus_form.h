@@ -4,8 +4,17 @@
 
 #include "recentre.h"
 #include "rt/geometry/torus.h"
+#include "rt/math/rounding.h"
 
 namespace rt {
+
+inline double size_of(const Torus& torus) { return torus.major_radius + torus.minor_radius; }
+
+/// Whether the hole is wide enough that the ring's features are all of the tube's size. Elsewhere
+/// (a spindle's tips, where two sheets meet) they can be much smaller.
+inline bool has_wide_hole(const Torus& torus) {
+  return 2 * torus.minor_radius <= torus.major_radius;
+}
 
 /// The torus' quartic is the product of (rho - R)^2 + y^2 - r^2 and (rho + R)^2 + y^2 - r^2, where
 /// rho is the distance from the axis. The first vanishes on the ring (a spindle torus' apple), the
@@ -34,7 +43,7 @@ struct TorusLine {
   Vec3 direction;
   double length;  ///< of ray.direction
 
-  double size() const { return torus.major_radius + torus.minor_radius; }
+  double size() const { return size_of(torus); }
   Vec3 at(double s) const { return fused_at(line.origin, direction, s); }
 };
 

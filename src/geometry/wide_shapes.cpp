@@ -11,7 +11,7 @@ WideMask in_range(const Wide& t, const Wide& t_max) {
 }
 
 /// As first_hit(): the first end of a chord ahead of the origin.
-WideHit first_end(const WideMask& crossed, const WideMask& undecided, const Wide& t_in,
+[[gnu::always_inline]] inline WideHit first_end(const WideMask& crossed, const WideMask& undecided, const Wide& t_in,
                   const Wide& in, const Wide& t_out, const Wide& out, const Wide& t_max) {
   const WideMask ahead = t_in > 0.0;
   const Wide t = select(ahead, t_in, t_out);
@@ -27,8 +27,8 @@ struct WideRecentred {
   Wide ray_parameter(const Wide& s) const { return shift + (residual + s); }
 };
 
-WideRecentred recentred(const Wide3& origin, const Wide3& direction,
-                        const Wide& direction_squared) {
+[[gnu::always_inline]] inline WideRecentred recentred(const Wide3& origin, const Wide3& direction,
+                                                      const Wide& direction_squared) {
   const Wide scale = -1.0 / direction_squared;
   const Wide shift = dot(origin, direction) * scale;
   const Wide3 near = fused_at(origin, direction, shift);
@@ -57,7 +57,7 @@ struct FromCentre {
   Wide3 origin, lost;
 };
 
-FromCentre from_centre(const Sphere& shape, const WideRay& ray) {
+[[gnu::always_inline]] inline FromCentre from_centre(const Sphere& shape, const WideRay& ray) {
   const WidePair x = exact_difference(ray.origin.x, shape.centre.x);
   const WidePair y = exact_difference(ray.origin.y, shape.centre.y);
   const WidePair z = exact_difference(ray.origin.z, shape.centre.z);
@@ -124,6 +124,26 @@ WideMask within(const Wide& origin, const Wide& direction, const Wide& y, const 
 Wide clamp(const Wide& x, double lo, double hi) { return min(max(x, Wide(lo)), Wide(hi)); }
 
 }  // namespace
+
+WideMask may_meet(const Bounds& box, const WideRay& ray, const Wide& t_max) {
+  // Recentring moves a line by a few roundings of its origin, solving it by a few of the shape.
+  const Wide room =
+      gamma(64) * (max_abs(ray.origin) + std::max(max_abs(box.lo), max_abs(box.hi)));
+  Wide t_in(0.0);
+  Wide t_out = t_max;
+  const auto clip = [&](const Wide& origin, const Wide& direction, double lo, double hi) {
+    const Wide inverse = 1.0 / direction;
+    const Wide a = (lo - room - origin) * inverse;
+    const Wide b = (hi + room - origin) * inverse;
+    t_in = max(t_in, min(a, b));  // a NaN, where origin and face agree, clips nothing
+    t_out = min(t_out, max(a, b));
+  };
+  clip(ray.origin.x, ray.direction.x, box.lo.x, box.hi.x);
+  clip(ray.origin.y, ray.direction.y, box.lo.y, box.hi.y);
+  clip(ray.origin.z, ray.direction.z, box.lo.z, box.hi.z);
+  // Each bound carries two rounded differences, a quotient and a product.
+  return !(t_in > t_out + gamma(8) * (abs(t_in) + abs(t_out)));
+}
 
 WideHit intersect(const Sphere& shape, const WideRay& ray, const Wide& t_max,
                   const Wide& position_error) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "rt/math/warp.h"
+#include "rt/math/wide_functions.h"
 
 namespace rt {
 namespace {
@@ -24,15 +25,41 @@ double tent_offset(double u) {
   return u < 0.5 ? std::sqrt(2.0 * u) - 1.0 : 1.0 - std::sqrt(2.0 * (1.0 - u));
 }
 
+// -log(1 - q) for q in [0, 0.99]. With 1 - q = 2^-k m, m in (1/2, 1], it is k log 2 + 2 artanh(f),
+// f = (1 - m)/(1 + m) < 1/3: fourteen terms of its series leave less than 1e-15. For k = 0, f =
+// q/(2 - q) keeps the digits of a small q. The library's function would do but for its last bit,
+// which differs between its versions, and for its being one at a time.
+template <class Real>
+Real minus_log1m(const Real& q) {
+  using std::fma;
+  Real m = 1.0 - q;
+  Real sum = 0.0;
+  for (int k = 0; k < 6; ++k) {  // 1 - q > 2^-7
+    const auto low = m <= 0.5;
+    m = select(low, 2.0 * m, m);
+    sum = select(low, sum + std::numbers::ln2, sum);
+  }
+  const Real f = select(sum == 0.0, q / (2.0 - q), (1.0 - m) / (1.0 + m));
+  const Real f2 = f * f;
+  Real series = 1.0 / 27.0;
+  for (int n = 25; n >= 1; n -= 2) {
+    series = fma(series, f2, Real(1.0 / n));
+  }
+  return sum + 2.0 * f * series;
+}
+
 // The mass within r is 1 - exp(-r^2 / 2 sigma^2), uniform for a random point, and r^2 of a uniform
-// disc point is uniform too: map radius to radius, keep the angle.
+// disc point is uniform too: map radius to radius, keep the angle. This is the factor.
+template <class Real>
+Real gaussian_stretch(const Real& r2) {
+  using std::sqrt;
+  static const double mass = gaussian_mass();
+  return select(r2 == 0.0, Real(0.0), sigma * sqrt(2.0 * minus_log1m(Real(r2 * mass)) / r2));
+}
+
 Vec2 gaussian_offset(const Vec2& u) {
   const Vec2 d = to_disc(u);
-  const double r2 = glm::dot(d, d);
-  if (r2 == 0.0) {
-    return d;
-  }
-  return d * (sigma * std::sqrt(-2.0 * std::log1p(-r2 * gaussian_mass()) / r2));
+  return d * gaussian_stretch(glm::dot(d, d));
 }
 
 struct Harris {
@@ -115,6 +142,21 @@ Vec2 filter_offset(Filter filter, const Vec2& u) {
       break;
   }
   return {harris_offset(u.x), harris_offset(u.y)};
+}
+
+Wide2 filter_offset(Filter filter, const Wide2& u) {
+  if (filter == Filter::gaussian) {
+    const Wide2 d = to_disc(u);
+    const Wide stretch = gaussian_stretch(Wide(d.x * d.x + d.y * d.y));
+    return {d.x * stretch, d.y * stretch};
+  }
+  Wide2 out;
+  for (int i = 0; i < lanes; ++i) {
+    const Vec2 one = filter_offset(filter, u.lane(i));
+    out.x[static_cast<std::size_t>(i)] = one.x;
+    out.y[static_cast<std::size_t>(i)] = one.y;
+  }
+  return out;
 }
 
 double filter_density(Filter filter, const Vec2& offset) {

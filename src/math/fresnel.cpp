@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "rt/math/wide_functions.h"
+
 namespace rt {
 namespace {
 
@@ -41,8 +43,6 @@ Wide fresnel(const Wide& cos_i, const Wide& n1, const Wide& n2) {
 }
 
 Vec3 reflect(const Vec3& d, const Vec3& n) { return d - 2.0 * glm::dot(d, n) * n; }
-
-Wide3 reflect(const Wide3& d, const Wide3& n) { return d - 2.0 * dot(d, n) * n; }
 
 std::optional<Vec3> refract(const Vec3& d, const Vec3& n, double n1, double n2) {
   const double cos_i = std::max(0.0, -glm::dot(d, n));

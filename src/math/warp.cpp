@@ -2,34 +2,40 @@
 
 #include <algorithm>
 
+#include "rt/math/wide_functions.h"
+
 namespace rt {
 namespace {
 
+template <class Real>
 struct CosSin {
-  double cos, sin;
+  Real cos, sin;
 };
 
 /// For |x| <= pi/4, by Taylor's series. The first terms left out are x^17/17! < 5e-17 and
 /// x^18/18! < 3e-18, below the rounding of the result. The library's functions would do but for
 /// their last bit, which differs between its versions.
-CosSin cos_sin_octant(double x) {
-  const double q = x * x;
-  double s = -1.0 / 1307674368000.0;
-  double c = 1.0 / 20922789888000.0;
-  s = std::fma(s, q, 1.0 / 6227020800.0);
-  c = std::fma(c, q, -1.0 / 87178291200.0);
-  s = std::fma(s, q, -1.0 / 39916800.0);
-  c = std::fma(c, q, 1.0 / 479001600.0);
-  s = std::fma(s, q, 1.0 / 362880.0);
-  c = std::fma(c, q, -1.0 / 3628800.0);
-  s = std::fma(s, q, -1.0 / 5040.0);
-  c = std::fma(c, q, 1.0 / 40320.0);
-  s = std::fma(s, q, 1.0 / 120.0);
-  c = std::fma(c, q, -1.0 / 720.0);
-  s = std::fma(s, q, -1.0 / 6.0);
-  c = std::fma(c, q, 1.0 / 24.0);
-  c = std::fma(c, q, -0.5);
-  return {std::fma(c, q, 1.0), std::fma(s * q, x, x)};
+template <class Real>
+CosSin<Real> cos_sin_octant(const Real& x) {
+  using std::fma;
+  const Real q = x * x;
+  Real s = -1.0 / 1307674368000.0;
+  Real c = 1.0 / 20922789888000.0;
+  const auto next = [&q](Real& sum, double term) { sum = fma(sum, q, Real(term)); };
+  next(s, 1.0 / 6227020800.0);
+  next(c, -1.0 / 87178291200.0);
+  next(s, -1.0 / 39916800.0);
+  next(c, 1.0 / 479001600.0);
+  next(s, 1.0 / 362880.0);
+  next(c, -1.0 / 3628800.0);
+  next(s, -1.0 / 5040.0);
+  next(c, 1.0 / 40320.0);
+  next(s, 1.0 / 120.0);
+  next(c, -1.0 / 720.0);
+  next(s, -1.0 / 6.0);
+  next(c, 1.0 / 24.0);
+  next(c, -0.5);
+  return {fma(c, q, Real(1.0)), fma(s * q, x, x)};
 }
 
 }  // namespace
@@ -44,11 +50,24 @@ Vec2 to_disc(const Vec2& u) {
     if (a == 0.0) {
       return {0.0, 0.0};
     }
-    const CosSin e = cos_sin_octant(pi / 4 * (b / a));
+    const auto e = cos_sin_octant(pi / 4 * (b / a));
     return {a * e.cos, a * e.sin};
   }
-  const CosSin e = cos_sin_octant(pi / 4 * (a / b));
+  const auto e = cos_sin_octant(pi / 4 * (a / b));
   return {b * e.sin, b * e.cos};
+}
+
+Wide2 to_disc(const Wide2& u) {
+  const Wide a = 2.0 * u.x - 1.0;
+  const Wide b = 2.0 * u.y - 1.0;
+  const WideMask right = abs(a) >= abs(b);
+  const Wide major = select(right, a, b);
+  const Wide minor = select(right, b, a);
+  const auto e = cos_sin_octant(Wide(pi / 4) * (minor / major));
+  const WideMask centre = major == 0.0;
+  const Wide along = select(centre, Wide(0.0), major * e.cos);
+  const Wide across = select(centre, Wide(0.0), major * e.sin);
+  return {select(right, along, across), select(right, across, along)};
 }
 
 DiscPoint disc_polar(const Vec2& u) {
@@ -85,6 +104,14 @@ Vec3 to_cone(const Vec2& u, const Cone& cone) {
   return {d * std::sqrt(h * std::max(0.0, 2.0 - height)), 1.0 - height};
 }
 
+Wide3 to_cone(const Wide2& u, const Wide& one_minus_cos) {
+  const Wide2 d = to_disc(u);
+  const Wide& h = one_minus_cos;
+  const Wide height = h * (d.x * d.x + d.y * d.y);
+  const Wide s = sqrt(h * max(Wide(0.0), 2.0 - height));
+  return {d.x * s, d.y * s, 1.0 - height};
+}
+
 // With d the distance of the centre, h = 1 - cos of the cone and q = 1 - cos of the direction
 // drawn, the near side stands at t = d cos - sqrt(radius^2 - d^2 sin^2). Now radius^2 / d^2 = h (2
 // - h) and sin^2 = q (2 - q); their difference factors into (h - q)(2 - h - q). The product of the
@@ -106,6 +133,27 @@ std::optional<SphereSample> sample_sphere(const Vec2& u, const Vec3& p, const Ve
   const double half_chord = d * std::sqrt(std::max(0.0, (h - q) * (2.0 - h - q)));
   const double t = (d - radius) * (d + radius) / (d * (1.0 - q) + half_chord);
   return SphereSample{frame_about(to_centre / d).to_world(local), t, cone.pdf()};
+}
+
+WideSphereSample sample_sphere(const Wide2& u, const Wide3& p, const Vec3& centre, double radius) {
+  const Wide3 to_centre = Wide3(centre) - p;
+  const Wide d = length(to_centre);
+  const Wide ratio = radius / d;
+  const Wide cos_cone = sqrt((d - radius) * (d + radius)) / d;
+  const Wide h = ratio * ratio / (1.0 + cos_cone);
+  const Wide3 local = to_cone(u, h);
+  const Wide r = max(abs(2.0 * u.x - 1.0), abs(2.0 * u.y - 1.0));
+  const Wide q = h * r * r;
+  const Wide half_chord = d * sqrt(max(Wide(0.0), (h - q) * (2.0 - h - q)));
+  const Wide t = (d - radius) * (d + radius) / (d * (1.0 - q) + half_chord);
+  // As frame_about().
+  const Wide3 z = to_centre / d;
+  const Wide sign = select(stdx::signbit(z.z), Wide(-1.0), Wide(1.0));
+  const Wide a = -1.0 / (sign + z.z);
+  const Wide b = z.x * z.y * a;
+  const Wide3 x{1.0 + sign * z.x * z.x * a, sign * b, -sign * z.x};
+  const Wide3 y{b, sign + z.y * z.y * a, -z.y};
+  return {local.x * x + local.y * y + local.z * z, t, d > radius};
 }
 
 }  // namespace rt

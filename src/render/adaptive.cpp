@@ -21,7 +21,6 @@ constexpr double max_exponent = 1.5;
 /// Takes samples up to `count`; a count above 4 must be the present one, or twice it.
 void grow(PixelSampler& sampler, PixelEstimate& e, int x, int y, std::uint32_t count,
           RenderStatistics& statistics) {
-  const Sampler pixel(sampler.plan().options.seed, x, y, 0);
   if (e.count >= 4) {
     e.quarters = {e.quarters[0] + e.quarters[1], e.quarters[2] + e.quarters[3], Rgb(0.0), Rgb(0.0)};
   }
@@ -29,7 +28,7 @@ void grow(PixelSampler& sampler, PixelEstimate& e, int x, int y, std::uint32_t c
   std::vector<PixelSample> wanted;
   wanted.reserve(count - e.count);
   for (std::uint32_t i = e.count; i < count; ++i) {
-    wanted.push_back({x, y, pixel.at(i)});
+    wanted.push_back({x, y, i});
   }
   std::vector<std::optional<Rgb>> values(wanted.size());
   sampler.take_all(wanted, values, statistics);

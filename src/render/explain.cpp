@@ -34,9 +34,9 @@ Counts counts_of(const RenderPlan& plan) {
   Counts c;
   for (const PlannedInstance& i : plan.instances) {
     const PlannedMaterial& m = plan.materials[i.material];
-    ++c.kinds[shape_kind(*i.shape)];
-    c.moving += i.motion ? 1 : 0;
-    c.textured += i.textures ? 1 : 0;
+    ++c.kinds[plan.visit(i, [](const auto& s) { return shape_kind(s); })];
+    c.moving += i.moves() ? 1 : 0;
+    c.textured += m.textures ? 1 : 0;
     c.glass += m.transmissive ? 1 : 0;
     c.mirrors += !m.transmissive && m.reflectivity != Rgb(0.0) ? 1 : 0;
     c.glossy += m.lobe ? 1 : 0;
@@ -107,7 +107,7 @@ std::string chosen(const RenderPlan& plan, const Counts& c) {
               counted(plan.unbounded.size(), "plane") + " without end, tested by every ray");
   }
   const auto meshes =
-      std::ranges::count_if(plan.meshes, [](const auto& m) { return m->tree != nullptr; });
+      std::ranges::count_if(plan.mesh_trees, [](const auto& tree) { return tree != nullptr; });
   if (meshes > 0) {
     part.line("meshes", counted(static_cast<std::size_t>(meshes), "mesh") +
 

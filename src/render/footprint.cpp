@@ -111,7 +111,7 @@ RayDifferential widened(const RayDifferential& perfect, const Vec3& drawn,
 NormalDifferential normal_differential(const RenderPlan& plan, const ShadingPoint& point,
                                        const RayDifferential& at) {
   const PlannedInstance& instance = plan.instances[point.instance];
-  const PlacementAt placement(instance, point.time);
+  const PlacementAt placement(plan, instance, point.time);
   const Mat3& to_model = placement->model_from_render.linear;
   const double sign = point.side == Leaving::outward ? 1.0 : -1.0;
   // Normals map back by the transpose of the map that carried points.
@@ -121,9 +121,9 @@ NormalDifferential normal_differential(const RenderPlan& plan, const ShadingPoin
   const SurfacePoint p{placement->model_from_render.point(point.position),
                        model_normal(point.normal), model_normal(point.shading_normal)};
   const auto change = [&](const Vec3& step) {
-    const Vec3 in_model = std::visit(
-        [&](const auto& shape) { return normal_change(shape, p, point.feature, to_model * step); },
-        *instance.shape);
+    const Vec3 in_model = plan.visit(instance, [&](const auto& shape) {
+      return normal_change(shape, p, point.feature, to_model * step);
+    });
     return unit_change(p.shading_normal * to_model, sign * (in_model * to_model));
   };
   return {point.shading_normal, change(at.dp_dx), change(at.dp_dy)};

@@ -24,7 +24,7 @@ bool inside(const RenderPlan& plan, std::uint32_t id, const TraceRay& ray) {
   if (const auto out = leads_out(plan, id, ray)) {
     return *out;
   }
-  if (!std::holds_alternative<Plane>(*plan.instances[id].shape)) {
+  if (!plan.instances[id].is<Plane>()) {
     return false;
   }
   // A plane bounds the half-space below it, which has no end ahead of a ray that goes down. Then
@@ -34,7 +34,7 @@ bool inside(const RenderPlan& plan, std::uint32_t id, const TraceRay& ray) {
   if (const auto out = leads_out(plan, id, back)) {
     return *out;
   }
-  const Ray in_model = model_ray(plan.instances[id], ray);
+  const Ray in_model = model_ray(plan, plan.instances[id], ray);
   return in_model.direction.y < 0.0 || (in_model.direction.y == 0.0 && in_model.origin.y < 0.0);
 }
 

@@ -19,7 +19,6 @@ bool differ(const Rgb& a, const Rgb& b) {
 }  // namespace
 
 Rgb uniform_pixel(PixelSampler& sampler, int x, int y, int count, RenderStatistics& statistics) {
-  const Sampler pixel(sampler.plan().options.seed, x, y, 0);
   Rgb sum(0.0);
   int good = 0;
   std::vector<PixelSample> wanted;
@@ -27,7 +26,7 @@ Rgb uniform_pixel(PixelSampler& sampler, int x, int y, int count, RenderStatisti
   for (int i = 0; i < count; i += at_once) {
     wanted.clear();
     for (int k = i; k < std::min(count, i + at_once); ++k) {
-      wanted.push_back({x, y, pixel.at(static_cast<std::uint32_t>(k)), count == 1});
+      wanted.push_back({x, y, static_cast<std::uint32_t>(k), count == 1});
     }
     sampler.take_all(wanted, values, statistics);
     for (std::size_t k = 0; k < wanted.size(); ++k) {

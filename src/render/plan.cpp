@@ -1,11 +1,13 @@
 #include "rt/render/plan.h"
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <unordered_map>
 
 #include "media_plan.h"
+#include "rt/math/hash.h"
 #include "rt/render/accel/box_list.h"
 #include "rt/render/accel/box_tree.h"
 #include "rt/render/accel/grid.h"
@@ -152,28 +154,16 @@ class Planner {
 
   void place(const Instance& from) {
     PlannedInstance to;
-    to.shape = from.shape;
-    const Bounds model_box = std::visit([](const auto& shape) { return bounds(shape); }, *to.shape);
-    static_cast<Placement&>(to) = placed(from);
-    if (from.motion && shutter_opens()) {
-      to.motion = moving(from, model_box);
-      plan_.moves = true;
-    }
-    to.textures = textures(from.textures);
-    plan_.footprints |= to.textures && plan_.options.texture_filter;
+    to.kind = static_cast<std::uint8_t>(from.shape->index());
+    to.shape = shape(from.shape);
     to.convex = convex(*from.shape);
-    to.material = material(
-        {from.material.get(), driven(to, TextureSlot::opacity), driven(to, TextureSlot::ks)},
-        from.material);
-    to.shadow = shadow_of(plan_.materials[to.material], driven(to, TextureSlot::opacity));
+    to.material = material(from);
+    to.shadow = shadow_of(plan_.material_of(to));
     plan_.dims |= to.shadow == Shadow::dims;
-    if (const auto* shape = std::get_if<Mesh>(from.shape.get())) {
-      to.mesh = mesh(*shape);
-    }
-    const Bounds box =
-        to.motion ? to.motion->bounds(model_box) : transformed(to.render_from_model, model_box);
+    const Bounds model_box = std::visit([](const auto& s) { return bounds(s); }, *from.shape);
+    const Bounds box = placed(from, model_box, to);
     const auto id = static_cast<std::uint32_t>(plan_.instances.size());
-    plan_.instances.push_back(std::move(to));
+    plan_.instances.push_back(to);
     all_boxes_.push_back(box);
     if (box.finite()) {
       plan_.bounded.push_back(id);
@@ -183,8 +173,26 @@ class Planner {
     }
   }
 
-  /// As it is when the shutter opens.
-  Placement placed(const Instance& from) const {
+  /// Sets where it is; its box.
+  Bounds placed(const Instance& from, const Bounds& model_box, PlannedInstance& to) {
+    const Placement here = at_open(from);
+    PlacementTable::Id id{};
+    Bounds box;
+    if (from.motion && shutter_opens()) {
+      PlannedMotion motion = moving(from, model_box);
+      box = motion.bounds(model_box);
+      id = plan_.placements.add(here, std::move(motion));
+      plan_.moves = true;
+    } else {
+      box = transformed(here.render_from_model, model_box);
+      id = plan_.placements.add(here);
+    }
+    to.map = id.kind;
+    to.placement = id.index;
+    return box;
+  }
+
+  Placement at_open(const Instance& from) const {
     Affine to_render = from.world_from_model;
     Affine to_model = from.model_from_world;
     if (from.motion) {
@@ -197,7 +205,7 @@ class Planner {
     return {to_render, inverse(to_render).value_or(to_model)};
   }
 
-  std::unique_ptr<const PlannedMotion> moving(const Instance& from, const Bounds& model_box) const {
+  PlannedMotion moving(const Instance& from, const Bounds& model_box) const {
     constexpr double pixels = 0.1;  // that a moving point may be off
     const double pixel = 2.0 * glm::length(plan_.camera.down) / plan_.options.height;
     const auto path = [&](double time) {
@@ -205,11 +213,11 @@ class Planner {
       there.offset -= eye_;
       return there;
     };
-    return std::make_unique<const PlannedMotion>(planned_motion(path, model_box, pixels * pixel));
+    return planned_motion(path, model_box, pixels * pixel);
   }
 
-  static bool driven(const PlannedInstance& instance, TextureSlot slot) {
-    return instance.textures && (*instance.textures)[slot].texture;
+  static bool driven(const PlannedMaterial& material, TextureSlot slot) {
+    return material.textures && (*material.textures)[slot].texture;
   }
 
   /// Those in force, found once for each set.
@@ -224,26 +232,27 @@ class Planner {
     return entry->second;
   }
 
-  /// A material, and what of it is left to textures: that decides what it needs.
-  struct MaterialUse {
-    const Material* material;
-    bool textured_opacity, textured_ks;
-    auto operator<=>(const MaterialUse&) const = default;
-  };
-
-  std::uint32_t material(const MaterialUse& use, const std::shared_ptr<const Material>& from) {
+  std::uint32_t material(const Instance& from) {
+    const MaterialUse use{from.material.get(), from.textures.get()};
+    if (use == last_use_) {
+      return last_material_;
+    }
     const auto [entry, added] =
         materials_.try_emplace(use, static_cast<std::uint32_t>(plan_.materials.size()));
     if (added) {
-      plan_.materials.push_back(planned(use));
-      kept_.push_back(from);  // so that its address stays its own
+      plan_.materials.push_back(planned(*from.material, textures(from.textures)));
+      kept_.emplace_back(from.material, from.textures);  // so that addresses stay their own
     }
-    return entry->second;
+    last_use_ = use;
+    last_material_ = entry->second;
+    return last_material_;
   }
 
-  PlannedMaterial planned(const MaterialUse& use) {
+  PlannedMaterial planned(const Material& from, std::shared_ptr<const TextureSet> textures) {
     const RenderOptions& options = plan_.options;
-    PlannedMaterial to{*use.material};
+    PlannedMaterial to{from};
+    plan_.footprints |= textures && options.texture_filter;
+    to.textures = std::move(textures);
     if (!options.refraction) {
       to.opacity = 1.0;
     }
@@ -251,9 +260,9 @@ class Planner {
       to.glossiness = 0.0;
     }
     to.plain = {to.kd, to.ks, to.opacity};
-    to.transmissive = to.opacity < 1.0 || use.textured_opacity;
+    to.transmissive = to.opacity < 1.0 || driven(to, TextureSlot::opacity);
     const double brightest = max_abs(to.ks) * brightest_light_;
-    if (to.shininess > 0.0 && brightest > 0.0 && !use.textured_ks) {
+    if (to.shininess > 0.0 && brightest > 0.0 && !driven(to, TextureSlot::ks)) {
       to.least_r_dot_v =
           std::pow(negligible_light(options, job_.lights.size()) / brightest, 1.0 / to.shininess);
     }
@@ -269,52 +278,77 @@ class Planner {
   /// Where some medium absorbs, clear glass displaces it: shadow rays have to meet its surface.
   void let_clear_glass_dim() {
     for (PlannedInstance& instance : plan_.instances) {
-      if (plan_.materials[instance.material].transmissive) {
+      if (plan_.material_of(instance).transmissive) {
         instance.shadow = Shadow::dims;
       }
     }
   }
 
-  static Shadow shadow_of(const PlannedMaterial& material, bool textured_opacity) {
+  static Shadow shadow_of(const PlannedMaterial& material) {
     if (!material.transmissive) {
       return Shadow::blocks;
     }
-    return !textured_opacity && material.opacity == 0.0 && material.absorption == Rgb(0.0)
+    return !driven(material, TextureSlot::opacity) && material.opacity == 0.0 &&
+                   material.absorption == Rgb(0.0)
                ? Shadow::none
                : Shadow::dims;
   }
 
-  const PlannedMesh* mesh(const Mesh& from) {
-    const PlannedMesh*& entry = meshes_[from.data.get()];
-    if (entry == nullptr) {
-      auto planned = std::make_unique<PlannedMesh>();
-      planned->data = from.data;
-      const auto count = static_cast<std::uint32_t>(from.data->triangles.size());
-      if (plan_.options.acceleration && plan_.options.accel != AccelChoice::none &&
-          count > few_triangles) {
-        std::vector<Bounds> boxes;
-        boxes.reserve(count);
-        for (std::uint32_t i = 0; i < count; ++i) {
-          boxes.push_back(triangle_bounds(*from.data, i));
-        }
-        planned->tree = std::make_unique<BoxTree>(boxes);
+  /// Its index in the table of its kind.
+  std::uint32_t shape(const std::shared_ptr<const Shape>& from) {
+    if (const auto* mesh = std::get_if<Mesh>(from.get())) {
+      const auto [entry, added] = meshes_.try_emplace(
+          mesh->data.get(), static_cast<std::uint32_t>(plan_.mesh_trees.size()));
+      if (added) {
+        plan_.shapes.add(*from);
+        plan_.mesh_trees.push_back(tree_of(*mesh->data));
       }
-      entry = planned.get();
-      plan_.meshes.push_back(std::move(planned));
+      return entry->second;
     }
-    return entry;
+    // Nodes made alike share their shape. It is enough to know of those met last.
+    auto& [seen, index] =
+        recent_shapes_[mix64(reinterpret_cast<std::uintptr_t>(from.get())) % recent_shapes_.size()];
+    if (seen != from) {
+      seen = from;
+      index = plan_.shapes.add(*from);
+    }
+    return index;
   }
+
+  std::unique_ptr<const BoxTree> tree_of(const MeshData& mesh) const {
+    const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
+    if (!plan_.options.acceleration || plan_.options.accel == AccelChoice::none ||
+        count <= few_triangles) {
+      return nullptr;
+    }
+    std::vector<Bounds> boxes;
+    boxes.reserve(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      boxes.push_back(triangle_bounds(mesh, i));
+    }
+    return std::make_unique<const BoxTree>(boxes);
+  }
+
+  /// What a planned material is made from, by address.
+  struct MaterialUse {
+    const Material* material;
+    const TextureSet* textures;
+    auto operator<=>(const MaterialUse&) const = default;
+  };
 
   const RenderJob& job_;
   Vec3 eye_{0.0};  ///< when the shutter opens
   RenderPlan plan_;
   std::vector<Bounds> boxes_;      ///< of plan_.bounded
   std::vector<Bounds> all_boxes_;  ///< of all instances
-  std::vector<std::shared_ptr<const Material>> kept_;
+  std::vector<std::pair<std::shared_ptr<const Material>, std::shared_ptr<const TextureSet>>> kept_;
   double brightest_light_ = 0.0;
   std::map<MaterialUse, std::uint32_t> materials_;
+  MaterialUse last_use_{};
+  std::uint32_t last_material_ = 0;
+  std::array<std::pair<std::shared_ptr<const Shape>, std::uint32_t>, 64> recent_shapes_{};
   std::unordered_map<const TextureSet*, std::shared_ptr<const TextureSet>> textures_;
-  std::unordered_map<const MeshData*, const PlannedMesh*> meshes_;
+  std::unordered_map<const MeshData*, std::uint32_t> meshes_;
 };
 
 }  // namespace

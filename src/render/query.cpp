@@ -15,22 +15,21 @@ struct ModelRay {
 };
 
 ModelRay to_model(const RenderPlan& plan, std::uint32_t id, const TraceRay& ray) {
-  const PlacementAt placement(plan.instances[id], ray.time);
-  const Placement& instance = *placement;
-  ModelRay model{model_ray(instance, ray), {}};
-  if (ray.instance == no_instance) {
+  return plan.map(plan.instances[id], ray.time, [&](const auto& map) {
+    ModelRay model{map.model_ray({ray.origin, ray.direction}), {}};
+    if (ray.instance != no_instance) {
+      // The origin's own error, stretched by the map, and the rounding of the map (three products
+      // and three sums in each of three components).
+      const double stretch = map.model_per_render();
+      const double reach = stretch * max_abs(ray.origin) + max_abs(map.to_model);
+      model.start.position_error = stretch * ray.position_error + gamma(12) * reach;
+      if (ray.instance == id) {
+        model.start.leaving = ray.leaving;
+        model.start.feature = ray.feature;
+      }
+    }
     return model;
-  }
-  // The origin's own error, stretched by the map, and the rounding of the map (three products and
-  // three sums in each of three components).
-  const double reach =
-      instance.model_per_render * max_abs(ray.origin) + max_abs(instance.model_from_render.offset);
-  model.start.position_error = instance.model_per_render * ray.position_error + gamma(12) * reach;
-  if (ray.instance == id) {
-    model.start.leaving = ray.leaving;
-    model.start.feature = ray.feature;
-  }
-  return model;
+  });
 }
 
 /// Whether the ray has just left that instance and cannot meet it again.
@@ -38,10 +37,11 @@ bool left_for_good(const PlannedInstance& instance, std::uint32_t id, const Trac
   return ray.instance == id && ray.leaving == Leaving::outward && instance.convex;
 }
 
-OptionalHit nearest_triangle(const PlannedMesh& mesh, const ModelRay& model, double t_max) {
+OptionalHit nearest_triangle(const BoxTree& tree, const MeshData& mesh, const ModelRay& model,
+                             double t_max) {
   OptionalHit best;
-  mesh.tree->walk(model.ray, t_max, [&](std::uint32_t triangle) {
-    const OptionalHit hit = intersect_triangle(*mesh.data, triangle, model.ray, t_max, model.start);
+  tree.walk(model.ray, t_max, [&](std::uint32_t triangle) {
+    const OptionalHit hit = intersect_triangle(mesh, triangle, model.ray, t_max, model.start);
     // Equal t: the lower index wins, whatever the order of the walk.
     if (hit && (!best || hit->t < best->t || hit->feature < best->feature)) {
       best = hit;
@@ -56,12 +56,12 @@ OptionalHit intersect_instance(const RenderPlan& plan, std::uint32_t id, const T
                                double t_max) {
   const PlannedInstance& instance = plan.instances[id];
   const ModelRay model = to_model(plan, id, ray);
-  if (instance.mesh != nullptr && instance.mesh->tree) {
-    return nearest_triangle(*instance.mesh, model, t_max);
+  if (instance.is<Mesh>() && plan.mesh_trees[instance.shape]) {
+    return nearest_triangle(*plan.mesh_trees[instance.shape],
+                            *plan.shapes.of<Mesh>()[instance.shape].data, model, t_max);
   }
-  return std::visit(
-      [&](const auto& shape) { return intersect(shape, model.ray, t_max, model.start); },
-      *instance.shape);
+  return plan.visit(
+      instance, [&](const auto& shape) { return intersect(shape, model.ray, t_max, model.start); });
 }
 
 /// Keeps the winner among the crossings offered, whatever their order.
@@ -154,12 +154,10 @@ bool blocks(const RenderPlan& plan, std::uint32_t id, const TraceRay& ray, doubl
 
 }  // namespace
 
-Ray model_ray(const Placement& instance, const TraceRay& ray) {
-  if (instance.moved_only) {
-    return {ray.origin + instance.model_from_render.offset, ray.direction};
-  }
-  return {instance.model_from_render.point(ray.origin),
-          instance.model_from_render.vector(ray.direction)};
+Ray model_ray(const RenderPlan& plan, const PlannedInstance& instance, const TraceRay& ray) {
+  return plan.map(instance, ray.time, [&](const auto& map) {
+    return map.model_ray({ray.origin, ray.direction});
+  });
 }
 
 std::optional<SceneHit> instance_hit(const RenderPlan& plan, std::uint32_t instance,

@@ -186,13 +186,13 @@ bool Rendering::plain_tile(const Crop& tile, PixelSampler& sampler, RenderStatis
 /// One sample a pixel, in the order of blocks two pixels high: neighbours go the same way.
 void Rendering::single_samples(const Crop& tile, PixelSampler& sampler,
                                RenderStatistics& statistics) {
-  constexpr int across = std::max(lanes / 2, 1);
+  constexpr int across = 4;
   std::vector<PixelSample> wanted;
   for (int y = tile.y; y < tile.y + tile.height; y += 2) {
     for (int x = tile.x; x < tile.x + tile.width; x += across) {
       for (int j = y; j < std::min(y + 2, tile.y + tile.height); ++j) {
         for (int i = x; i < std::min(x + across, tile.x + tile.width); ++i) {
-          wanted.push_back({i, j, Sampler(plan_.options.seed, i, j, 0), true});
+          wanted.push_back({i, j, 0, true});
         }
       }
     }

@@ -38,10 +38,8 @@ std::optional<std::uint32_t> solid_around(const RenderPlan& plan, const Vec3& po
   if (!hit || shading_point(plan, ray, *hit).side != Leaving::inward) {
     return std::nullopt;
   }
-  const Shape& shape = *plan.instances[hit->instance].shape;
-  const bool may_be_open = std::holds_alternative<Plane>(shape) ||
-                           std::holds_alternative<Square>(shape) ||
-                           std::holds_alternative<Mesh>(shape);
+  const PlannedInstance& solid = plan.instances[hit->instance];
+  const bool may_be_open = solid.is<Plane>() || solid.is<Square>() || solid.is<Mesh>();
   return may_be_open ? std::nullopt : std::optional(hit->instance);
 }
 

@@ -7,23 +7,12 @@
 
 namespace rt {
 
-// Normals map by the inverse transpose.
-Vec3 render_normal(const Placement& instance, const Vec3& n) {
-  if (instance.moved_only) {
-    return n;
-  }
-  // n * m is transpose(m) n. Scaled by its largest entry first: a world 1e200 times smaller or
-  // larger still has unit normals.
-  const Vec3 v = n * instance.model_from_render.linear;
-  return glm::normalize(v / max_abs(v));
-}
-
-SurfacePoint model_point(const PlannedInstance& instance, const Placement& placement,
-                         const TraceRay& ray, const SceneHit& hit) {
-  const Ray in_model = model_ray(placement, ray);
+SurfacePoint model_point(const RenderPlan& plan, const TraceRay& ray, const SceneHit& hit) {
+  const PlannedInstance& instance = plan.instances[hit.instance];
+  const Ray in_model = model_ray(plan, instance, ray);
   const ShapeHit model_hit{hit.t, hit.feature};
-  return std::visit([&](const auto& shape) { return surface_point(shape, in_model, model_hit); },
-                    *instance.shape);
+  return plan.visit(instance,
+                    [&](const auto& shape) { return surface_point(shape, in_model, model_hit); });
 }
 
 RayCounts& RayCounts::operator+=(const RayCounts& other) {
@@ -36,23 +25,22 @@ RayCounts& RayCounts::operator+=(const RayCounts& other) {
 
 ShadingPoint shading_point(const RenderPlan& plan, const TraceRay& ray, const SceneHit& hit) {
   const PlannedInstance& instance = plan.instances[hit.instance];
-  const PlacementAt placement(instance, ray.time);
-  const Ray in_model = model_ray(*placement, ray);
+  const Ray in_model = model_ray(plan, instance, ray);
   const ShapeHit model_hit{hit.t, hit.feature};
-  const SurfacePoint p =
-      std::visit([&](const auto& shape) { return surface_point(shape, in_model, model_hit); },
-                 *instance.shape);
+  const SurfacePoint p = plan.visit(
+      instance, [&](const auto& shape) { return surface_point(shape, in_model, model_hit); });
   ShadingPoint point;
-  point.position = placement->render_from_model.point(p.position);
-  // The refined point lies on the surface to a few roundings of its own coordinates; the map to
-  // render space adds three products and three sums a component.
-  point.position_error = gamma(16) * (placement->render_per_model * max_abs(p.position) +
-                                      max_abs(placement->render_from_model.offset));
-  // Normals map by the inverse transpose. Mirroring turns triangles inside out, but not their
-  // normals: the outward side stays outward.
-  point.normal = render_normal(*placement, p.normal);
-  point.shading_normal =
-      p.shading_normal == p.normal ? point.normal : render_normal(*placement, p.shading_normal);
+  plan.map(instance, ray.time, [&](const auto& map) {
+    point.position = map.render_point(p.position);
+    // The refined point lies on the surface to a few roundings of its own coordinates; the map to
+    // render space adds three products and three sums a component.
+    point.position_error =
+        gamma(16) * (map.render_per_model() * max_abs(p.position) + max_abs(map.to_render));
+    // Mirroring turns triangles inside out, but not their normals: the outward side stays outward.
+    point.normal = map.render_normal(p.normal);
+    point.shading_normal =
+        p.shading_normal == p.normal ? point.normal : map.render_normal(p.shading_normal);
+  });
   const bool from_outside = glm::dot(p.normal, in_model.direction) <= 0.0;
   point.side = from_outside ? Leaving::outward : Leaving::inward;
   if (!from_outside) {

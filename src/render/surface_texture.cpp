@@ -13,16 +13,17 @@ namespace {
 /// picture asks for them: solid textures need none.
 class TexturePoint {
  public:
-  TexturePoint(const Shape& shape, const SurfacePoint& point, std::uint32_t feature,
+  TexturePoint(const RenderPlan& plan, const SceneHit& hit, const SurfacePoint& point,
                const Vec3& dp_dx, const Vec3& dp_dy)
-      : shape_(shape), point_(point), feature_(feature), dp_dx_(dp_dx), dp_dy_(dp_dy) {}
+      : plan_(plan), hit_(hit), point_(point), dp_dx_(dp_dx), dp_dy_(dp_dy) {}
 
   const SurfacePoint& point() const { return point_; }
 
   const SurfaceCoordinates& coordinates() {
     if (!coordinates_) {
-      coordinates_ = std::visit(
-          [&](const auto& shape) { return surface_coordinates(shape, point_, feature_); }, shape_);
+      coordinates_ = plan_.visit(plan_.instances[hit_.instance], [&](const auto& shape) {
+        return surface_coordinates(shape, point_, hit_.feature);
+      });
     }
     return *coordinates_;
   }
@@ -97,9 +98,9 @@ class TexturePoint {
     return {everything, vv > 0.0 && std::isfinite(v / vv) ? v / vv : everything};
   }
 
-  const Shape& shape_;
+  const RenderPlan& plan_;
+  const SceneHit& hit_;
   SurfacePoint point_;
-  std::uint32_t feature_;
   Vec3 dp_dx_, dp_dy_;
   std::optional<SurfaceCoordinates> coordinates_;
 };
@@ -152,7 +153,7 @@ void tilt(TexturePoint& at, const TextureSet& textures, const Placement& placeme
   if (bump.texture) {
     n = bumped(at, bump, n);
   }
-  n = render_normal(placement, n);
+  n = placement.render_normal(n);
   if (point.side == Leaving::inward) {
     n = -n;
   }
@@ -183,12 +184,10 @@ TextureSet::Entry in_force(const TextureSet::Entry& entry, const RenderOptions& 
 Reflectances textured(const RenderPlan& plan, const TraceRay& ray, const SceneHit& hit,
                       const PlannedMaterial& material, const RayDifferential* here,
                       ShadingPoint& point) {
-  const PlannedInstance& instance = plan.instances[hit.instance];
-  const PlacementAt placement(instance, ray.time);
-  const TextureSet& textures = *instance.textures;
+  const PlacementAt placement(plan, plan.instances[hit.instance], ray.time);
+  const TextureSet& textures = *material.textures;
   const Mat3& to_model = placement->model_from_render.linear;
-  TexturePoint at(*instance.shape, model_point(instance, *placement, ray, hit), hit.feature,
-                  here ? to_model * here->dp_dx : Vec3(0.0),
+  TexturePoint at(plan, hit, model_point(plan, ray, hit), here ? to_model * here->dp_dx : Vec3(0.0),
                   here ? to_model * here->dp_dy : Vec3(0.0));
   tilt(at, textures, *placement, ray.direction, point);
   const auto& kd = textures[TextureSlot::kd].texture;
@@ -199,19 +198,17 @@ Reflectances textured(const RenderPlan& plan, const TraceRay& ray, const SceneHi
 
 double opacity_at(const RenderPlan& plan, const TraceRay& ray, const SceneHit& hit,
                   const PlannedMaterial& material, double width) {
-  const PlannedInstance& instance = plan.instances[hit.instance];
-  if (!instance.textures || !(*instance.textures)[TextureSlot::opacity].texture) {
+  if (!material.textures || !(*material.textures)[TextureSlot::opacity].texture) {
     return material.opacity;
   }
-  const PlacementAt placement(instance, ray.time);
-  const SurfacePoint p = model_point(instance, *placement, ray, hit);
+  const PlacementAt placement(plan, plan.instances[hit.instance], ray.time);
+  const SurfacePoint p = model_point(plan, ray, hit);
   // A disc of that width, whatever way the surface is turned.
   const Vec3 any = std::abs(p.normal.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 0, 1);
   const Vec3 side = glm::normalize(glm::cross(p.normal, any));
   const double in_model = width * placement->model_per_render;
-  TexturePoint at(*instance.shape, p, hit.feature, in_model * side,
-                  in_model * glm::cross(p.normal, side));
-  return opacity_of(at, *instance.textures, material);
+  TexturePoint at(plan, hit, p, in_model * side, in_model * glm::cross(p.normal, side));
+  return opacity_of(at, *material.textures, material);
 }
 
 std::shared_ptr<const TextureSet> in_force(const std::shared_ptr<const TextureSet>& textures,

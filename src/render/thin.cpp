@@ -89,12 +89,12 @@ struct Parts {
   }
 };
 
-Parts parts_of(const PlannedInstance& instance) {
+Parts parts_of(const RenderPlan& plan, const PlannedInstance& instance) {
   Parts parts;
-  const Affine& map = instance.render_from_model;
-  const auto* torus = std::get_if<Torus>(instance.shape.get());
+  const Affine map = plan.placement(instance).render_from_model;
+  const Torus* torus = instance.is<Torus>() ? &plan.shapes.of<Torus>()[instance.shape] : nullptr;
   if (torus == nullptr || torus->minor_radius > 0.25 * torus->major_radius) {
-    parts.add(map, std::visit([](const auto& s) { return bounds(s); }, *instance.shape));
+    parts.add(map, plan.visit(instance, [](const auto& s) { return bounds(s); }));
     return parts;
   }
   // Arcs so short that they bend by no more than the tube is thick.
@@ -210,8 +210,8 @@ std::unique_ptr<const ThinThings> find_thin(const RenderPlan& plan) {
   auto thin = std::make_unique<ThinThings>();
   for (const std::uint32_t id : plan.bounded) {
     const PlannedInstance& instance = plan.instances[id];
-    if (!instance.motion) {  // what moves is a blur anyway
-      add_parts(plan, parts_of(instance), instance.shadow == Shadow::blocks, *thin);
+    if (!instance.moves()) {  // what moves is a blur anyway
+      add_parts(plan, parts_of(plan, instance), instance.shadow == Shadow::blocks, *thin);
     }
   }
   thin->in_sight.build();

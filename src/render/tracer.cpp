@@ -83,14 +83,13 @@ void Tracer::follow(Path& path) {
     return;
   }
   ShadingPoint point = shading_point(plan_, path.ray, *hit);
-  const PlannedInstance& instance = plan_.instances[hit->instance];
-  const PlannedMaterial& material = plan_.materials[instance.material];
+  const PlannedMaterial& material = plan_.material_of(plan_.instances[hit->instance]);
   const Vec3& direction = path.ray.direction;
   if (trail_) {
     trail_->arrive(open_.size(), path.ray, hit->t, point);
   }
   std::optional<Reflectances> look;
-  if (instance.textures) {
+  if (material.textures) {
     look = textured(plan_, path.ray, *hit, material, trail_ ? &trail_->here() : nullptr, point);
   }
   Media media{no_instance, no_instance};

@@ -61,6 +61,7 @@ std::vector<Family> families(const std::string& shape) {
                 inside, spindle});
   add("sphere", {random, grazing, far, far_grazing, axis, double_root, non_uniform, inside});
   add("cylinder", {random, grazing, far, axis, double_root, non_uniform, inside, edge});
+  add("cone", {random, grazing, far, axis, double_root, non_uniform, inside, edge});
   add("blob", {random, grazing, far, axis, double_root, non_uniform, inside, edge});
   add("box", {random, far, axis, non_uniform, inside, edge});
   add("plane", {random, grazing, far});

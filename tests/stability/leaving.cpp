@@ -4,8 +4,10 @@
 
 #include "rt/math/rounding.h"
 #include "rt/math/transform.h"
+#include "stability/closed_meshes.h"
 #include "stability/oracle_convex.h"
 #include "stability/oracle_flat.h"
+#include "stability/oracle_mesh.h"
 #include "stability/oracle_torus.h"
 
 namespace rt::stability {
@@ -94,6 +96,12 @@ std::optional<Expected> expected_crossing(const Shape& shape, const Ray& ray, Le
                                           double offset) {
   const Sphere* sphere = std::get_if<Sphere>(&shape);
   const Line<DoubleDouble> line(ray, sphere != nullptr ? sphere->centre : Vec3(0.0));
+  if (const Mesh* mesh = std::get_if<Mesh>(&shape)) {
+    const auto first = first_crossing(*mesh->data, line, side == Leaving::inward, offset);
+    return first ? std::optional(
+                       Expected{static_cast<double>(line.parameter(first->s)), first->cosine})
+                 : std::nullopt;
+  }
   const auto all = std::visit([&](const auto& s) { return crossings(s, line, offset); }, shape);
   const bool convex = !std::holds_alternative<Torus>(shape);
   for (std::size_t i = 0; i < static_cast<std::size_t>(all.count); ++i) {
@@ -118,6 +126,27 @@ bool agrees(const std::optional<Expected>& expected, const OptionalHit& hit, dou
   return off * cosine <= tolerance || (cosine <= chord && off <= chord);
 }
 
+/// Near an edge of a mesh the error of a ray's origin decides whether the ray also passes the face
+/// beyond the edge: it does so within the error of either face's plane. A ray that leaves outward
+/// is then inside, and the other way round; its answer is that of the other side.
+bool passes_an_edge(const Mesh& mesh, const Secondary& start, const Ray& ray,
+                    const OptionalHit& hit, double tolerance) {
+  const double length = glm::length(ray.direction);
+  const double away = start.side == Leaving::outward ? -tolerance : tolerance;
+  const auto beyond = expected_crossing(mesh, ray, start.side, away);
+  const double sine = std::abs(glm::dot(start.normal_world, start.direction_world));
+  if (!beyond || beyond->t * length * std::min(sine, std::abs(beyond->cosine)) > 4 * tolerance) {
+    return false;
+  }
+  const Leaving other = start.side == Leaving::outward ? Leaving::inward : Leaving::outward;
+  for (const double offset : {0.0, tolerance, -tolerance}) {
+    if (agrees(expected_crossing(mesh, ray, other, offset), hit, length, 4 * tolerance)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 void judge(const Placement& placement, const Secondary& start, const Affine& model,
            const OptionalHit& hit, LeavingTally& tally) {
   const Ray ray{model.point(start.origin_world), model.vector(start.direction_world)};
@@ -138,7 +167,9 @@ void judge(const Placement& placement, const Secondary& start, const Affine& mod
   // A chord as shallow as the error: whether the ray is inside at all is not known.
   const double sine = std::abs(glm::dot(start.normal_world, start.direction_world));
   const double nearest = std::min(hit ? hit->t : infinity, expected ? expected->t : infinity);
-  if (nearest * length * sine <= tolerance) {
+  const Mesh* mesh = std::get_if<Mesh>(&placement.shape);
+  if (nearest * length * sine <= tolerance ||
+      (mesh != nullptr && passes_an_edge(*mesh, start, ray, hit, tolerance))) {
     ++tally.below_resolution;
     return;
   }
@@ -157,8 +188,9 @@ void LeavingTally::add(const LeavingTally& other) {
 
 std::vector<Placement> placements() {
   const std::vector<Shape> shapes{
-      Sphere{},   Sphere{{1, 2, 3}, 1}, Torus{}, Torus{0.5, 1}, Torus{1, 0.01},
-      Cylinder{}, PointedCone{},        Box{},   Blob{}};
+      Sphere{},       Sphere{{1, 2, 3}, 1}, Torus{},        Torus{0.5, 1},
+      Torus{1, 0.01}, Cylinder{},           PointedCone{},  Box{},
+      Blob{},         box_mesh(),           sphere_mesh(2), torus_mesh(12, 6)};
   std::vector<Placement> out;
   for (const Shape& shape : shapes) {
     for (const double offset : {0.0, 1e3}) {

@@ -17,6 +17,10 @@ using Decimal = boost::multiprecision::number<boost::multiprecision::cpp_dec_flo
 template <class T>
 double resolution();
 template <>
+inline double resolution<double>() {
+  return 1e-15;
+}
+template <>
 inline double resolution<DoubleDouble>() {
   return 1e-29;
 }

@@ -24,26 +24,46 @@ struct WidePolynomial {
   }
 };
 
-/// The root in [a, b], f having different signs there: Newton, kept in its bracket by bisection.
-template <class T, std::size_t N>
-T bracketed_root(const WidePolynomial<T, N>& f, T a, T b) {
-  const WidePolynomial<T, N - 1> slope = f.derivative();
-  const bool rising = f(a) < T(0.0);
-  const T tolerance(resolution<T>());
-  T s = T(0.5) * (a + b);
-  for (int i = 0; i < 400; ++i) {
+/// The root in [a, b], f having different signs there: Newton from s, kept in its bracket by
+/// bisection. Only f takes all digits. The slope takes a double's: a step is then wrong by some
+/// 1e-15 of its length, which the next one puts right.
+template <class T, std::size_t N, std::size_t M>
+T bracketed_root(const WidePolynomial<T, N>& f, const WidePolynomial<double, M>& slope, bool rising,
+                 T a, T b, T s, int most_steps) {
+  const double tolerance = resolution<T>();
+  for (int i = 0; i < most_steps; ++i) {
     const T value = f(s);
     ((value < T(0.0)) == rising ? a : b) = s;
-    const T newton = s - value / slope(s);
-    const bool inside = newton > a && newton < b;
-    const T next = inside ? newton : T(0.5) * (a + b);
-    const T step = next > s ? next - s : s - next;
-    s = next;
-    if (step <= tolerance) {
-      return s;
+    const double step = static_cast<double>(value) / slope(static_cast<double>(s));
+    const T newton = s - T(step);
+    if (newton > a && newton < b) {
+      s = newton;
+      if (std::abs(step) <= tolerance) {
+        return s;
+      }
+    } else {
+      s = T(0.5) * (a + b);
+      if (static_cast<double>(b - a) <= tolerance) {
+        return s;
+      }
     }
   }
   return s;
+}
+
+/// The same, from where doubles find it: all but the last few steps need no more digits.
+template <class T, std::size_t N>
+T bracketed_root(const WidePolynomial<T, N>& f, bool rising, const T& a, const T& b) {
+  WidePolynomial<double, N> rough;
+  for (std::size_t i = 0; i < N; ++i) {
+    rough.c[i] = static_cast<double>(f.c[i]);
+  }
+  const auto slope = rough.derivative();
+  const auto lo = static_cast<double>(a);
+  const auto hi = static_cast<double>(b);
+  const T near(bracketed_root(rough, slope, rising, lo, hi, 0.5 * (lo + hi), 20));
+  return bracketed_root(f, slope, rising, a, b, near > a && near < b ? near : T(0.5) * (a + b),
+                        400);
 }
 
 /// The sign changes of f between consecutive ends, between which f is monotone.
@@ -52,11 +72,12 @@ std::array<T, M + 1> roots_between(const WidePolynomial<T, N>& f, const std::arr
                                    int used, int& found) {
   std::array<T, M + 1> roots;
   found = 0;
-  for (int i = 0; i + 1 < used; ++i) {
-    const T& a = ends[static_cast<std::size_t>(i)];
-    const T& b = ends[static_cast<std::size_t>(i) + 1];
-    if ((f(a) < T(0.0)) != (f(b) < T(0.0))) {
-      roots[static_cast<std::size_t>(found++)] = bracketed_root(f, a, b);
+  bool negative = f(ends[0]) < T(0.0);
+  for (std::size_t i = 1; i < static_cast<std::size_t>(used); ++i) {
+    const bool rising = negative;
+    negative = f(ends[i]) < T(0.0);
+    if (negative != rising) {
+      roots[static_cast<std::size_t>(found++)] = bracketed_root(f, rising, ends[i - 1], ends[i]);
     }
   }
   return roots;

@@ -98,13 +98,17 @@ Spot spot(const Square& s, Random& random) {
   return {Vec3(random.uniform(-h, h), 0, random.uniform(-h, h)), Vec3(0, 1, 0)};
 }
 
+/// On a mesh of several triangles half of the spots are near an edge.
 Spot spot(const Mesh& s, Random& random) {
-  const Corners& c = s.data->triangles[0];
+  const auto count = static_cast<int>(s.data->triangles.size());
+  const auto chosen = static_cast<std::size_t>(count > 1 ? random.below(count) : 0);
+  const Corners& c = s.data->triangles[chosen];
   const Vec3& a = s.data->positions[c[0]];
   const Vec3 ab = s.data->positions[c[1]] - a;
   const Vec3 ac = s.data->positions[c[2]] - a;
   const double root = std::sqrt(random.uniform());
-  const double v = random.uniform();
+  const bool near_edge = count > 1 && random.below(2) == 0;
+  const double v = near_edge ? random.power_of_ten(-14, -2) : random.uniform();
   return {a + root * (1 - v) * ab + root * v * ac, glm::normalize(glm::cross(ab, ac))};
 }
 

@@ -38,6 +38,8 @@ WideHit intersect(const Box& shape, const WideRay& ray, const Wide& t_max,
                   const Wide& position_error);
 WideHit intersect(const Cylinder& shape, const WideRay& ray, const Wide& t_max,
                   const Wide& position_error);
+WideHit intersect(const Torus& shape, const WideRay& ray, const Wide& t_max,
+                  const Wide& position_error);
 
 /// Where rays that start on the sphere, going inward, come out.
 WideHit leave_inward(const Sphere& shape, const WideRay& ray, const Wide& t_max);
@@ -52,6 +54,12 @@ WideSurfacePoint surface_point(const Box& shape, const WideRay& ray, const Wide&
                                const Wide& feature);
 WideSurfacePoint surface_point(const Cylinder& shape, const WideRay& ray, const Wide& t,
                                const Wide& feature);
+WideSurfacePoint surface_point(const Torus& shape, const WideRay& ray, const Wide& t,
+                               const Wide& feature);
+
+/// The lanes whose ray may cross what lies in the box, before t_max: no crossing that a shape's
+/// scalar function would report is lost.
+WideMask may_meet(const Bounds& box, const WideRay& ray, const Wide& t_max);
 
 /// The shapes that have these functions.
 template <class S>

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "rt/math/vec.h"
-#include "rt/math/wide.h"
 
 namespace rt {
 
@@ -22,16 +21,12 @@ Real cos2_transmitted(const Real& cos_i, const Real& n1, const Real& n2) {
 /// and 1 beyond the critical angle. cos_i in [0,1]. Relative error below 1e-13, however close the
 /// indices and except for the error of cos_i itself near the critical angle; 0 for equal indices.
 double fresnel(double cos_i, double n1, double n2);
-Wide fresnel(const Wide& cos_i, const Wide& n1, const Wide& n2);
 
 /// The mirror direction of d, to rounding of unit length. n unit, of either sign.
 Vec3 reflect(const Vec3& d, const Vec3& n);
-Wide3 reflect(const Wide3& d, const Wide3& n);
 
 /// The refracted direction, unit, or empty where all is reflected: exactly where fresnel gives 1 by
 /// total reflection. d and n unit, n on the ray's side: d.n <= 0.
 std::optional<Vec3> refract(const Vec3& d, const Vec3& n, double n1, double n2);
-/// The same; `through`: the lanes where not all is reflected.
-Wide3 refract(const Wide3& d, const Wide3& n, const Wide& n1, const Wide& n2, WideMask& through);
 
 }  // namespace rt

@@ -22,12 +22,17 @@ constexpr std::uint64_t combine(std::uint64_t key, std::uint64_t value) {
   return mix64(key ^ mix64(value + golden64));
 }
 
-/// Bit 0 becomes bit 31, and so on.
-constexpr std::uint32_t reverse_bits(std::uint32_t x) {
+/// Within every byte, bit 0 becomes bit 7, and so on. U: 32 bits, or a vector of such.
+template <class U>
+constexpr U reverse_bits_of_bytes(U x) {
   x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
   x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
-  x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
-  return __builtin_bswap32(x);
+  return ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
+}
+
+/// Bit 0 becomes bit 31, and so on.
+constexpr std::uint32_t reverse_bits(std::uint32_t x) {
+  return __builtin_bswap32(reverse_bits_of_bytes(x));
 }
 
 /// Owen's nested uniform scrambling of a number whose bits are reversed, least significant first:
@@ -36,8 +41,9 @@ constexpr std::uint32_t reverse_bits(std::uint32_t x) {
 /// Idea: Laine and Karras, "Stratified sampling for stochastic transparency" (EGSR 2011), and
 /// Burley, "Practical hash-based Owen scrambling" (JCGT 9(4), 2020); this sequence of operations
 /// and its constants: Vegdahl, "Building a better LK hash" (psychopath.io, 2021), final version.
-/// Expects seeds that are themselves well mixed.
-constexpr std::uint32_t owen_reversed(std::uint32_t x, std::uint32_t seed) {
+/// Expects seeds that are themselves well mixed. U: 32 bits, or a vector of such.
+template <class U>
+constexpr U owen_reversed(U x, U seed) {
   x ^= x * 0x3d20adeau;
   x += seed;
   x *= (seed >> 16) | 1u;

@@ -49,6 +49,15 @@ void each_lane(unsigned bits, Visit&& visit) {
   }
 }
 
+struct Wide2 {
+  Wide x, y;
+
+  Vec2 lane(int i) const {
+    const auto at = static_cast<std::size_t>(i);
+    return {x[at], y[at]};
+  }
+};
+
 /// Points, directions or colours, one a lane. Operations as GLM's, in GLM's order.
 struct Wide3 {
   Wide x, y, z;

@@ -4,9 +4,14 @@
 #include <vector>
 
 #include "rt/math/bounds.h"
+#include "rt/math/ray.h"
 #include "rt/math/transform.h"
 
 namespace rt {
+
+/// v made a unit vector. Scaled by its largest entry first: a world 1e200 times smaller or larger
+/// still has unit normals.
+inline Vec3 scaled_to_unit(const Vec3& v) { return glm::normalize(v / max_abs(v)); }
 
 struct Placement {
   Affine render_from_model;
@@ -17,6 +22,18 @@ struct Placement {
 
   Placement() = default;
   Placement(const Affine& to_render, const Affine& to_model);
+
+  /// A ray of render space in model space, with the same parameter t.
+  Ray ray(const Ray& in_render) const {
+    return moved_only ? Ray{in_render.origin + model_from_render.offset, in_render.direction}
+                      : Ray{model_from_render.point(in_render.origin),
+                            model_from_render.vector(in_render.direction)};
+  }
+  /// A model's unit normal in render space: normals map by the inverse transpose.
+  Vec3 render_normal(const Vec3& n) const {
+    // n * m is transpose(m) n.
+    return moved_only ? n : scaled_to_unit(n * model_from_render.linear);
+  }
 };
 
 /// Render space from model space at even times over the open shutter; linear between. The corners

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "rt/math/lobe.h"
-#include "rt/render/placement.h"
+#include "rt/render/placement_table.h"
+#include "rt/render/shape_table.h"
 #include "rt/render/trace.h"
 #include "rt/scene/render_job.h"
 
@@ -17,12 +18,6 @@ class BoxTree;
 class Grid;
 struct ThinThings;
 
-/// The triangles of one mesh, shared by all its instances.
-struct PlannedMesh {
-  std::shared_ptr<const MeshData> data;
-  std::unique_ptr<const BoxTree> tree;  ///< over triangles; null: try them one by one
-};
-
 /// What a surface reflects and lets through at a point, textures resolved.
 struct Reflectances {
   Rgb kd;
@@ -30,11 +25,12 @@ struct Reflectances {
   double opacity;
 };
 
-/// A material with what follows from it, options considered.
+/// A material and the textures that drive it, with what follows from them, options considered.
 struct PlannedMaterial : Material {
-  Reflectances plain{};                 ///< where no texture drives any of it
-  bool transmissive = false;            ///< opacity < 1: glass
-  double least_r_dot_v = 0.0;           ///< below it no highlight reaches negligible_light()
+  std::shared_ptr<const TextureSet> textures;  ///< those in force; null: none
+  Reflectances plain{};                        ///< where no texture drives any of it
+  bool transmissive = false;                   ///< opacity < 1: glass
+  double least_r_dot_v = 0.0;                  ///< below it no highlight reaches negligible_light()
   std::optional<PowerCosineLobe> lobe;  ///< spreads reflection and transmission; none: perfect
 };
 
@@ -51,33 +47,21 @@ enum class Shadow : std::uint8_t {
   none,  ///< clear glass where nothing absorbs, and the shapes of lights
 };
 
-/// One shape placed in render space; where it moves, as it is when the shutter opens.
-struct PlannedInstance : Placement {
-  std::shared_ptr<const Shape> shape;
-  std::shared_ptr<const TextureSet> textures;  ///< those in force; null: none
+/// One shape placed in render space: where in the plan's tables to find what it is made of.
+struct PlannedInstance {
+  std::uint32_t placement = 0;  ///< among those of `map`
+  std::uint32_t shape = 0;      ///< among those of `kind`
   std::uint32_t material = 0;
+  MapKind map = MapKind::moved;
+  std::uint8_t kind = 0;  ///< the shape's place in the variant Shape
   Shadow shadow = Shadow::blocks;
-  const PlannedMesh* mesh = nullptr;
   bool convex = false;  ///< a ray that has left it outward never meets it again
-  std::unique_ptr<const PlannedMotion> motion;  ///< null: it stands still
-};
 
-/// Where an instance is at a time.
-class PlacementAt {
- public:
-  PlacementAt(const PlannedInstance& instance, double time) : placement_(&instance) {
-    if (instance.motion) {
-      placement_ = &moving_.emplace(instance.motion->at(time));
-    }
+  bool moves() const { return map == MapKind::moving; }
+  template <class Kind>
+  bool is() const {
+    return kind == kind_of<Kind>();
   }
-  PlacementAt(const PlacementAt&) = delete;
-  PlacementAt& operator=(const PlacementAt&) = delete;
-  const Placement& operator*() const { return *placement_; }
-  const Placement* operator->() const { return placement_; }
-
- private:
-  const Placement* placement_;
-  std::optional<Placement> moving_;
 };
 
 /// The camera as the vectors that span its picture. Its eye, the lens' centre, is the origin of
@@ -103,7 +87,10 @@ struct RenderPlan {
   RenderPlan& operator=(RenderPlan&&) noexcept;
 
   std::vector<PlannedInstance> instances;
-  std::vector<std::unique_ptr<const PlannedMesh>> meshes;
+  PlacementTable placements;
+  ShapeTable shapes;
+  /// Over the triangles of each mesh in `shapes`; null: try them one by one.
+  std::vector<std::unique_ptr<const BoxTree>> mesh_trees;
   std::vector<std::uint32_t> unbounded;  ///< instances no box can hold
   std::vector<std::uint32_t> bounded;    ///< the others: what the tree's boxes stand for
   /// Over `bounded`: a hierarchy, for a few a list, on request a grid; none: try them one by one.
@@ -118,6 +105,24 @@ struct RenderPlan {
   std::unique_ptr<const Camera> moving_camera;
   Rgb ambient{0.0};
   RenderOptions options;
+
+  /// Where an instance is; what moves: when the shutter opens.
+  Placement placement(const PlannedInstance& instance) const {
+    return placements.at_open(instance.map, instance.placement);
+  }
+  /// f(map) of where an instance is at a time: a MovedMap, ScaledMap or LinearMap.
+  template <class F>
+  auto map(const PlannedInstance& instance, double time, F&& f) const {
+    return placements.visit(instance.map, instance.placement, time, f);
+  }
+  /// f(shape) of an instance, as std::visit.
+  template <class F>
+  auto visit(const PlannedInstance& instance, F&& f) const {
+    return shapes.visit(instance.kind, instance.shape, f);
+  }
+  const PlannedMaterial& material_of(const PlannedInstance& instance) const {
+    return materials[instance.material];
+  }
 
   // What this scene needs. What it does not need costs nothing.
   bool random = false;      ///< extended lights or gloss: paths take random decisions
@@ -134,6 +139,18 @@ struct RenderPlan {
   }
   std::vector<std::pair<std::uint32_t, std::uint32_t>> media_ranges;
   std::vector<std::uint32_t> media;
+};
+
+/// Where an instance is at a time.
+class PlacementAt {
+ public:
+  PlacementAt(const RenderPlan& plan, const PlannedInstance& instance, double time)
+      : placement_(plan.placements.at(instance.map, instance.placement, time)) {}
+  const Placement& operator*() const { return placement_; }
+  const Placement* operator->() const { return &placement_; }
+
+ private:
+  Placement placement_;
 };
 
 /// Compiles a job. The job's options are those in force.

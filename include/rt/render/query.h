@@ -15,7 +15,7 @@ namespace rt {
 inline constexpr double tie = gamma(16 * 64);
 
 /// The ray in an instance's model space, with the same parameter t.
-Ray model_ray(const Placement& instance, const TraceRay& ray);
+Ray model_ray(const RenderPlan& plan, const PlannedInstance& instance, const TraceRay& ray);
 
 /// The nearest crossing with 0 < t. Crossings that coincide within rounding error count as one, and
 /// belong to the opaque one among them, else to the first in the plan: surfaces that coincide do

@@ -1,26 +1,34 @@
 #pragma once
 /// One sample of a pixel: the camera's ray at a place on the pixel's filter and on the lens.
+#include <memory>
 #include <optional>
 #include <span>
 
 #include "rt/render/accel/sight_cache.h"
-#include "rt/render/packet/packet_tracer.h"
 #include "rt/render/statistics.h"
 #include "rt/render/tracer.h"
 
 namespace rt {
 
+class PacketSampler;
+
 /// A sample that is wanted.
 struct PixelSample {
   int x, y;
-  Sampler sampler;
+  std::uint32_t index;
   bool at_centre = false;  ///< of the pixel; otherwise where the filter says
 };
+
+/// The ray through picture coordinates in [0,1]^2. With a lens it starts anywhere on it and meets
+/// the others of that place in the plane in focus. Not normalised.
+TraceRay lens_ray(const CameraFrame& camera, double px, double py, const Sampler& sample);
 
 /// Takes samples. One a thread.
 class PixelSampler {
  public:
   explicit PixelSampler(const RenderPlan& plan);
+  ~PixelSampler();
+  PixelSampler(PixelSampler&&) noexcept;
 
   const RenderPlan& plan() const { return tracer_.plan(); }
 
@@ -38,14 +46,9 @@ class PixelSampler {
                 RenderStatistics& statistics);
 
  private:
-  void take_packet(std::span<const PixelSample> wanted, std::span<std::optional<Rgb>> values,
-                   RenderStatistics& statistics);
-  Candidates sight_of(const std::array<Vec2, lanes>& places, unsigned count);
-
   Tracer tracer_;
   SightCache sight_;
-  std::optional<PacketTracer> packets_;  ///< where it serves
-  std::vector<std::uint32_t> union_;     ///< of what several blocks show
+  std::unique_ptr<PacketSampler> packets_;  ///< where they serve
 };
 
 }  // namespace rt

@@ -34,11 +34,7 @@ struct ShadingPoint {
 };
 
 /// The hit in the instance's model space, refined onto the surface.
-SurfacePoint model_point(const PlannedInstance& instance, const Placement& placement,
-                         const TraceRay& ray, const SceneHit& hit);
-
-/// A model's unit normal in render space.
-Vec3 render_normal(const Placement& instance, const Vec3& n);
+SurfacePoint model_point(const RenderPlan& plan, const TraceRay& ray, const SceneHit& hit);
 
 ShadingPoint shading_point(const RenderPlan& plan, const TraceRay& ray, const SceneHit& hit);
 

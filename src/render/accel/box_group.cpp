@@ -7,7 +7,7 @@ namespace rt {
 namespace {
 
 // How far the float test of a ray can be off, in units of the cube's half-edge, for origins up to
-// `reach_of_rays` = 8 from its centre and paths of up to 16:
+// BoxSpace::reach_of_rays = 8 from its centre and paths of up to 16:
 //   the box's face, rounded to float                        2^-24
 //   the origin, below 8, rounded                             2^-22
 //   the direction's inverse, rounded: 2^-24 of the path      2^-20
@@ -17,12 +17,10 @@ namespace {
 //   half-edges away                                          2^-23
 // All of it together is below 2^-18.
 constexpr double slack = 0x1p-18;
-constexpr double reach_of_rays = 8.0;
 // Shafts are far wider than this, which is more than their tests can be off: they begin and end
 // within 5 `reach`, where each of the ten numbers in an inequality is rounded by less than 2^-18.
 constexpr double shaft_slack = 0x1p-14;
-// Stands for 1/0: no path is so long.
-constexpr double endless = 1e30;
+constexpr double endless = BoxSpace::endless;
 
 /// Where the ray enters a cube that holds all enlarged boxes; false when it passes by.
 bool entry_into_cube(const Vec3& origin, const Vec3& inverse, double& entry) {
@@ -43,31 +41,31 @@ std::array<float, 3> floats(const Vec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
+using Floats = BoxGroup::Floats;
+
 /// Narrows [enter, leave] to the s where p + q s <= 0.
-void narrow(__m256 p, float q, __m256& enter, __m256& leave) {
+void narrow(const Floats& p, float q, Floats& enter, Floats& leave) {
   const float safe = std::abs(q) > 1e-30F ? q : std::copysign(1e-30F, q);
-  const __m256 s = _mm256_mul_ps(p, _mm256_set1_ps(-1.0F / safe));
+  const Floats s = p * (-1.0F / safe);
   if (safe > 0.0F) {
-    leave = _mm256_min_ps(leave, s);
+    leave = min(leave, s);
   } else {
-    enter = _mm256_max_ps(enter, s);
+    enter = max(enter, s);
   }
 }
 
 }  // namespace
 
 unsigned BoxGroup::touched(const BoxShaft& shaft) const {
-  __m256 enter = _mm256_setzero_ps();
-  __m256 leave = _mm256_set1_ps(1.0F);
+  Floats enter = 0.0F;
+  Floats leave = 1.0F;
   for (std::size_t k = 0; k < 3; ++k) {
-    const __m256 below = _mm256_set1_ps(shaft.centre[k] - shaft.half[k]);
-    const __m256 above = _mm256_set1_ps(shaft.centre[k] + shaft.half[k]);
-    narrow(_mm256_sub_ps(below, _mm256_load_ps(hi[k])), shaft.travel[k] - shaft.growth[k], enter,
-           leave);
-    narrow(_mm256_sub_ps(_mm256_load_ps(lo[k]), above), -(shaft.travel[k] + shaft.growth[k]), enter,
-           leave);
+    const float below = shaft.centre[k] - shaft.half[k];
+    const float above = shaft.centre[k] + shaft.half[k];
+    narrow(below - load(hi[k]), shaft.travel[k] - shaft.growth[k], enter, leave);
+    narrow(load(lo[k]) - above, -(shaft.travel[k] + shaft.growth[k]), enter, leave);
   }
-  return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(enter, leave, _CMP_LE_OQ)));
+  return bits_of(enter <= leave);
 }
 
 BoxSpace::BoxSpace(const std::vector<Bounds>& boxes) {

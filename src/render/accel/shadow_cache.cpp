@@ -44,13 +44,19 @@ std::pair<double, double> heights(const Affine& model_from_render, const Bounds&
   return {centre - reach, centre + reach};
 }
 
+bool holds(const Bounds& cell, const Vec3& p) {
+  return p.x >= cell.lo.x && p.x < cell.hi.x && p.y >= cell.lo.y && p.y < cell.hi.y &&
+         p.z >= cell.lo.z && p.z < cell.hi.z;
+}
+
 /// Whether a plane may cross the shaft.
-bool crosses(const PlannedInstance& plane, const Shaft& shaft) {
-  if (plane.motion || !std::holds_alternative<Plane>(*plane.shape)) {
+bool crosses(const RenderPlan& plan, const PlannedInstance& plane, const Shaft& shaft) {
+  if (plane.moves() || !plane.is<Plane>()) {
     return true;
   }
-  const auto [a, b] = heights(plane.model_from_render, shaft.from);
-  const auto [c, d] = heights(plane.model_from_render, shaft.to);
+  const Affine model_from_render = plan.placement(plane).model_from_render;
+  const auto [a, b] = heights(model_from_render, shaft.from);
+  const auto [c, d] = heights(model_from_render, shaft.to);
   return !(std::min(a, c) > 0.0 || std::max(b, d) < 0.0);
 }
 
@@ -60,6 +66,7 @@ ShadowCache::ShadowCache(const RenderPlan& plan) : plan_(plan), fineness_(finene
   for (const Light& light : plan.lights) {
     lights_.push_back(box_of(light));
   }
+  last_.resize(lights_.size());
   if (plan.list || plan.tree) {
     table_.resize(entries);
   }
@@ -103,7 +110,7 @@ void ShadowCache::fill(Entry& entry, const Bounds& cell, std::size_t light) cons
   const Shaft shaft{cell, lights_[light]};
   entry.state = State::known;
   for (const std::uint32_t id : plan_.unbounded) {
-    if (crosses(plan_.instances[id], shaft) && !add(entry, id)) {
+    if (crosses(plan_, plan_.instances[id], shaft) && !add(entry, id)) {
       return;
     }
   }
@@ -117,24 +124,29 @@ Candidates ShadowCache::towards(std::size_t light, const Vec3& position, Bounds*
   if (table_.empty()) {
     return {};
   }
-  const Cell cell = cell_of(light, position);
-  if (cell.key == 0) {
-    return {};
+  Last& last = last_[light];
+  if (last.entry == nullptr || last.entry->key != last.cell.key ||
+      !holds(last.cell.bounds, position)) {
+    last = {cell_of(light, position), nullptr};
+    if (last.cell.key == 0) {
+      return {};
+    }
+    // Fibonacci hashing (Knuth, TAOCP 3, 6.4): the upper bits of a product with 2^64 / phi.
+    Entry& entry = table_[(last.cell.key * 0x9e3779b97f4a7c15U) >> 54U];
+    if (entry.key != last.cell.key) {
+      entry = {};
+      entry.key = last.cell.key;
+    } else {
+      if (entry.state == State::unknown) {
+        fill(entry, last.cell.bounds, light);
+      }
+      last.entry = &entry;
+    }
   }
   if (cell_bounds != nullptr) {
-    *cell_bounds = cell.bounds;
+    *cell_bounds = last.cell.bounds;
   }
-  // Fibonacci hashing (Knuth, TAOCP 3, 6.4): the upper bits of a product with 2^64 / phi.
-  Entry& entry = table_[(cell.key * 0x9e3779b97f4a7c15U) >> 54U];
-  if (entry.key != cell.key) {
-    entry = {};
-    entry.key = cell.key;
-    return {};
-  }
-  if (entry.state == State::unknown) {
-    fill(entry, cell.bounds, light);
-  }
-  return {entry.state == State::known, entry.dims, {entry.instances.data(), entry.count}};
+  return last.entry != nullptr ? answer(*last.entry) : Candidates{};
 }
 
 }  // namespace rt

@@ -8,11 +8,9 @@
 namespace rt {
 namespace {
 
-/// Edge of a block, in pixels.
-constexpr double block = 8.0;
-
 /// The pyramid from the eye through a block, as far as the boxes reach.
 Shaft pyramid(const RenderPlan& plan, int x, int y, double reach) {
+  constexpr double block = SightCache::block;
   const RenderOptions& o = plan.options;
   Shaft shaft{{Vec3(0.0), Vec3(0.0)}, {}};
   for (const int i : {0, 1}) {

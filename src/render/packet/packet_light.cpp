@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "rt/math/rounding.h"
+#include "rt/math/wide_functions.h"
 #include "rt/render/packet/packet_query.h"
 #include "rt/render/packet/packet_shading.h"
 
@@ -29,11 +30,21 @@ Wide falloff(const Light& light, const Wide& distance) {
 }
 
 WideLightSample sample_light(const Light& light, const WideShadingPoint& point, unsigned bits,
-                             const Sampler* samplers, const Vertex& vertex) {
+                             const WideSampler& sampler, const Vertex& vertex) {
   WideLightSample out;
-  if (light.radius > 0.0 || light.rectangle) {
+  if (light.rectangle) {
     each_lane(bits, [&](int i) {
-      out.set(i, sample_light(light, point.lane(i), samplers[i], vertex));
+      out.set(i, sample_light(light, point.lane(i), sampler.lane(i), vertex));
+    });
+    return out;
+  }
+  if (light.radius > 0.0) {
+    const WideSphereSample s =
+        sample_sphere(sampler.light(vertex), point.position, light.position, light.radius);
+    out.direction = s.direction;
+    out.distance = s.distance;
+    each_lane(bits & ~bits_of(s.outside), [&](int i) {
+      out.set(i, sample_light(light, point.lane(i), sampler.lane(i), vertex));
     });
     return out;
   }
@@ -108,13 +119,13 @@ unsigned seeing(const RenderPlan& plan, std::size_t index, const WideShadingPoin
 
 Wide3 direct_light(const RenderPlan& plan, std::size_t index, const WidePhong& phong,
                    const WideShadingPoint& point, unsigned bits, const Wide3& view,
-                   const Sampler* samplers, const Vertex& vertex, const Wide& negligible,
+                   const WideSampler& sampler, const Vertex& vertex, const Wide& negligible,
                    ShadowCache& cache, RayCounts& counts) {
   const Light& light = plan.lights[index];
   if (is_black(phong.kd) && is_black(phong.ks)) {
     return Wide3(Wide(0.0));
   }
-  const WideLightSample s = sample_light(light, point, bits, samplers, vertex);
+  const WideLightSample s = sample_light(light, point, bits, sampler, vertex);
   Wide3 value = reflected(phong, point, view, s.direction, bits) * Wide3(light.colour) *
                 (s.weight * falloff(light, s.distance));
   const unsigned matters = bits_of(max_abs(value) > negligible) & bits;

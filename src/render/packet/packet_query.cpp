@@ -5,41 +5,50 @@
 #include "packet_walk.h"
 #include "rt/math/rounding.h"
 #include "rt/render/query.h"
+#include "wide_maps.h"
 
 namespace rt {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 
-WideRay to_model(const Placement& placement, const Packet& packet, Wide& position_error) {
-  if (packet.instance != no_instance) {  // as for a single ray: query.cpp
-    const Wide reach = placement.model_per_render * max_abs(packet.ray.origin) +
-                       Wide(max_abs(placement.model_from_render.offset));
-    position_error =
-        placement.model_per_render * packet.position_error + gamma(12) * reach;
+/// How far the origins may be from what they stand for, in the model; nothing for camera rays. As
+/// for a single ray: query.cpp.
+template <class Map>
+Wide error_in_model(const Map& map, const Packet& packet) {
+  if (packet.instance == no_instance) {
+    return 0.0;
   }
-  return model_rays(placement, packet.ray);
+  const double stretch = map.model_per_render();
+  const Wide reach = stretch * max_abs(packet.ray.origin) + Wide(max_abs(map.to_model));
+  return stretch * packet.position_error + gamma(12) * reach;
 }
 
 /// The crossings of lanes that start elsewhere.
-WideHit meet(const PlannedInstance& instance, const Packet& packet, const Wide& t_max) {
-  Wide position_error(0.0);
-  return std::visit(
-      [&](const auto& shape) -> WideHit {
-        if constexpr (WideShape<std::decay_t<decltype(shape)>>) {
-          const WideRay ray = to_model(instance, packet, position_error);
-          return intersect(shape, ray, t_max, position_error);
-        } else {
-          return {WideMask(false), WideMask(true), Wide(0.0), Wide(0.0)};
-        }
-      },
-      *instance.shape);
+WideHit meet(const RenderPlan& plan, const PlannedInstance& instance, const Packet& packet,
+             const Wide& t_max) {
+  return plan.visit(instance, [&](const auto& shape) -> WideHit {
+    if constexpr (WideShape<std::decay_t<decltype(shape)>>) {
+      return plan.map(instance, 0.0, [&](const auto& map) {
+        return intersect(shape, model_rays(map, packet.ray), t_max, error_in_model(map, packet));
+      });
+    } else {
+      return plan.map(instance, 0.0, [&](const auto& map) -> WideHit {
+        return {WideMask(false), may_meet(bounds(shape), model_rays(map, packet.ray), t_max),
+                Wide(0.0), Wide(0.0)};
+      });
+    }
+  });
 }
 
 /// The crossings of the instance that the lanes have left.
-WideHit meet_again(const PlannedInstance& instance, const Packet& packet, const Wide& t_max) {
-  if (const auto* sphere = std::get_if<Sphere>(instance.shape.get())) {
-    WideHit again = leave_inward(*sphere, model_rays(instance, packet.ray), t_max);
+WideHit meet_again(const RenderPlan& plan, const PlannedInstance& instance, const Packet& packet,
+                   const Wide& t_max) {
+  if (instance.is<Sphere>()) {
+    WideHit again = plan.map(instance, 0.0, [&](const auto& map) {
+      return leave_inward(plan.shapes.of<Sphere>()[instance.shape], model_rays(map, packet.ray),
+                          t_max);
+    });
     again.hit = again.hit && !mask_of(packet.outward);
     return again;
   }
@@ -51,8 +60,8 @@ WideHit meet_again(const PlannedInstance& instance, const Packet& packet, const 
 WideHit crossings(const RenderPlan& plan, std::uint32_t id, const Packet& packet, unsigned bits,
                   const Wide& t_max) {
   const PlannedInstance& instance = plan.instances[id];
-  WideHit found = packet.instance == id ? meet_again(instance, packet, t_max)
-                                        : meet(instance, packet, t_max);
+  WideHit found = packet.instance == id ? meet_again(plan, instance, packet, t_max)
+                                        : meet(plan, instance, packet, t_max);
   unsigned hit = bits_of(found.hit) & bits;
   const unsigned undecided = bits_of(found.undecided) & bits;
   if (undecided != 0) {
@@ -119,14 +128,6 @@ class WideNearest {
 bool may_block(const PlannedInstance& instance) { return instance.shadow == Shadow::blocks; }
 
 }  // namespace
-
-WideRay model_rays(const Placement& instance, const WideRay& ray) {
-  if (instance.moved_only) {
-    return {ray.origin + Wide3(instance.model_from_render.offset), ray.direction};
-  }
-  return {point(instance.model_from_render, ray.origin),
-          instance.model_from_render.linear * ray.direction};
-}
 
 PacketHits closest_hits(const RenderPlan& plan, const Packet& packet) {
   WideNearest nearest(plan, packet);

@@ -1,7 +1,7 @@
 #include "rt/render/packet/packet_shading.h"
 
 #include "rt/math/rounding.h"
-#include "rt/render/packet/packet_query.h"
+#include "wide_maps.h"
 
 namespace rt {
 
@@ -32,25 +32,16 @@ void WideShadingPoint::set(int i, const ShadingPoint& p) {
 
 namespace {
 
-Wide3 render_normal(const Placement& instance, const Wide3& n) {
-  if (instance.moved_only) {
-    return n;
-  }
-  const Wide3 v = n * instance.model_from_render.linear;
-  return normalize(v / max_abs(v));
-}
-
-template <class S>
-WideShadingPoint point_on(const S& shape, const Placement& placement, const Packet& packet,
+template <class S, class Map>
+WideShadingPoint point_on(const S& shape, const Map& map, const Packet& packet,
                           const PacketHits& hits) {
-  const WideRay ray = model_rays(placement, packet.ray);
+  const WideRay ray = model_rays(map, packet.ray);
   const WideSurfacePoint p = surface_point(shape, ray, hits.t, hits.feature);
   WideShadingPoint point;
-  point.position = rt::point(placement.render_from_model, p.position);
-  point.position_error =
-      gamma(16) * (placement.render_per_model * max_abs(p.position) +
-                   Wide(max_abs(placement.render_from_model.offset)));
-  const Wide3 normal = render_normal(placement, p.normal);
+  point.position = render_points(map, p.position);
+  point.position_error = gamma(16) * (map.render_per_model() * max_abs(p.position) +
+                                      Wide(max_abs(map.to_render)));
+  const Wide3 normal = render_normals(map, p.normal);
   const WideMask from_outside = dot(p.normal, ray.direction) <= 0.0;
   point.normal = select(from_outside, normal, -normal);
   point.shading_normal = point.normal;
@@ -63,19 +54,18 @@ WideShadingPoint point_on(const S& shape, const Placement& placement, const Pack
 WideShadingPoint shading_points(const RenderPlan& plan, const Packet& packet,
                                 const PacketHits& hits, std::uint32_t id, unsigned bits) {
   const PlannedInstance& instance = plan.instances[id];
-  WideShadingPoint point = std::visit(
-      [&](const auto& shape) {
-        if constexpr (WideShape<std::decay_t<decltype(shape)>>) {
-          return point_on(shape, instance, packet, hits);
-        } else {
-          WideShadingPoint one_by_one{};
-          each_lane(bits, [&](int i) {
-            one_by_one.set(i, shading_point(plan, packet.lane(i), hits.lane(i)));
-          });
-          return one_by_one;
-        }
-      },
-      *instance.shape);
+  WideShadingPoint point = plan.visit(instance, [&](const auto& shape) {
+    if constexpr (WideShape<std::decay_t<decltype(shape)>>) {
+      return plan.map(instance, 0.0,
+                      [&](const auto& map) { return point_on(shape, map, packet, hits); });
+    } else {
+      WideShadingPoint one_by_one{};
+      each_lane(bits, [&](int i) {
+        one_by_one.set(i, shading_point(plan, packet.lane(i), hits.lane(i)));
+      });
+      return one_by_one;
+    }
+  });
   point.instance = id;
   point.feature = hits.feature;
   return point;

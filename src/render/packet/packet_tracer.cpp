@@ -1,6 +1,6 @@
 #include "rt/render/packet/packet_tracer.h"
 
-#include "rt/math/fresnel.h"
+#include "rt/math/wide_functions.h"
 #include "rt/render/medium.h"
 #include "rt/render/packet/packet_query.h"
 #include "rt/render/surface_texture.h"
@@ -45,12 +45,12 @@ PacketTracer::PacketTracer(const RenderPlan& plan)
     : plan_(plan), negligible_(negligible_branch(plan.options)), shadow_cache_(plan) {}
 
 Wide3 PacketTracer::radiance(Packet camera, const Wide& y,
-                             const std::array<Sampler, lanes>& samplers, RayCounts& counts,
+                             const WideSampler& sampler, RayCounts& counts,
                              const Candidates& sight) {
   sum_ = Wide3(Wide(0.0));
   y_ = y;
   sight_ = sight;
-  samplers_ = samplers.data();
+  sampler_ = &sampler;
   counts_ = &counts;
   counts.camera += static_cast<unsigned>(std::popcount(camera.active));
   camera.ray.direction = camera.ray.direction * (1.0 / length(camera.ray.direction));
@@ -95,7 +95,7 @@ void PacketTracer::shade(const Path& path, const PacketHits& hits, std::uint32_t
   const PlannedInstance& instance = plan_.instances[id];
   const PlannedMaterial& material = plan_.materials[instance.material];
   WideLook look{material.plain.kd, material.plain.ks, material.plain.opacity};
-  if (instance.textures) {
+  if (material.textures) {
     each_lane(bits, [&](int i) {
       ShadingPoint one = point.lane(i);
       const Reflectances r =
@@ -109,15 +109,7 @@ void PacketTracer::shade(const Path& path, const PacketHits& hits, std::uint32_t
   Scatter at{path, point, material, look, bits};
   const bool deepest = path.depth >= plan_.options.max_depth;
   if (material.transmissive) {
-    unsigned displaced = 0;
-    each_lane(bits, [&](int i) {
-      const auto l = static_cast<std::size_t>(i);
-      const ShadingPoint one = point.lane(i);
-      const Media media = media_about(plan_, one, at.direction().lane(i));
-      displaced |= static_cast<unsigned>(hides(plan_, media, id)) << i;
-      at.n1[l] = index_of(plan_, media.before);
-      at.n2[l] = index_of(plan_, media.behind);
-    });
+    const unsigned displaced = find_media(at);
     if (displaced != 0 && !deepest) {
       add(at, displaced, at.direction(), path.throughput, false);
     }
@@ -132,6 +124,29 @@ void PacketTracer::shade(const Path& path, const PacketHits& hits, std::uint32_t
   }
 }
 
+/// The indices before and behind the surface; the lanes where another medium displaces the
+/// instance's own.
+unsigned PacketTracer::find_media(Scatter& at) {
+  const std::uint32_t id = at.point.instance;
+  const std::span<const std::uint32_t> candidates = plan_.media_about(id);
+  if (candidates.size() == 1 && candidates[0] == id) {
+    // The usual case: nothing transmissive is near but the solid itself.
+    const WideMask from_outside = mask_of(at.point.from_outside);
+    at.n1 = select(from_outside, Wide(1.0), Wide(at.material.ior));
+    at.n2 = select(from_outside, Wide(at.material.ior), Wide(1.0));
+    return 0;
+  }
+  unsigned displaced = 0;
+  each_lane(at.bits, [&](int i) {
+    const auto l = static_cast<std::size_t>(i);
+    const Media media = media_about(plan_, at.point.lane(i), at.direction().lane(i));
+    displaced |= static_cast<unsigned>(hides(plan_, media, id)) << i;
+    at.n1[l] = index_of(plan_, media.before);
+    at.n2[l] = index_of(plan_, media.behind);
+  });
+  return displaced;
+}
+
 Wide3 PacketTracer::surface(const Scatter& at) {
   const WidePhong phong{at.look.kd * at.look.opacity, at.look.ks, at.material.shininess,
                         at.material.least_r_dot_v};
@@ -141,7 +156,7 @@ Wide3 PacketTracer::surface(const Scatter& at) {
   const auto lights = static_cast<std::uint32_t>(plan_.lights.size());
   for (std::uint32_t i = 0; i < lights; ++i) {
     const Vertex vertex{at.path.vertex.order, at.path.vertex.copy * lights + i};
-    sum += direct_light(plan_, i, phong, at.point, at.bits, -at.direction(), samplers_, vertex,
+    sum += direct_light(plan_, i, phong, at.point, at.bits, -at.direction(), *sampler_, vertex,
                         negligible, shadow_cache_, *counts_);
   }
   return sum;
@@ -181,7 +196,7 @@ void PacketTracer::divide(Scatter& at, const Wide& reflected, const Wide& transm
     at.chosen = true;
     unsigned mirror = 0;
     each_lane(one, [&](int i) {
-      const double u = samplers_[i].lobe_choice(at.path.vertex);
+      const double u = sampler_->lane(i).lobe_choice(at.path.vertex);
       mirror |= static_cast<unsigned>(u < p[static_cast<std::size_t>(i)]) << i;
     });
     reflect(at, mirror, throughput * total);
@@ -201,7 +216,7 @@ void PacketTracer::reflect(const Scatter& at, unsigned bits, const Wide3& throug
   }
   Wide3 weighted = throughput;
   each_lane(bits, [&](int i) {
-    const auto s = at.material.lobe->sample(samplers_[i].lobe(at.path.vertex), direction.lane(i),
+    const auto s = at.material.lobe->sample(sampler_->lane(i).lobe(at.path.vertex), direction.lane(i),
                                             at.point.normal.lane(i));
     direction.set(i, s.direction);
     weighted.set(i, throughput.lane(i) * s.weight);
@@ -232,7 +247,7 @@ void PacketTracer::transmit(const Scatter& at, unsigned bits, const Wide3& throu
   }
   Wide3 weighted = throughput;
   each_lane(bits, [&](int i) {
-    const auto s = at.material.lobe->sample(samplers_[i].lobe(at.path.vertex), ahead.lane(i),
+    const auto s = at.material.lobe->sample(sampler_->lane(i).lobe(at.path.vertex), ahead.lane(i),
                                             -at.point.normal.lane(i));
     ahead.set(i, s.direction);
     weighted.set(i, throughput.lane(i) * s.weight);
@@ -261,7 +276,7 @@ void PacketTracer::add(const Scatter& at, unsigned bits, const Wide3& direction,
     if (plan_.random && (here & faint) != 0) {  // roulette
       unsigned survive = 0;
       each_lane(here & faint, [&](int i) {
-        const bool dies = samplers_[i].lobe_choice(vertex) * negligible_ >=
+        const bool dies = sampler_->lane(i).lobe_choice(vertex) * negligible_ >=
                           weight[static_cast<std::size_t>(i)];
         survive |= static_cast<unsigned>(!dies) << i;
       });

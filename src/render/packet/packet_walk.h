@@ -13,9 +13,23 @@ class PacketBoxRays {
  public:
   /// Lanes that pass all boxes by are taken out.
   PacketBoxRays(const BoxSpace& space, const Packet& packet, const Wide& t_max) {
-    each_lane(packet.active, [&](int i) {
-      if (space.enter(packet.ray.lane(i), rays_[static_cast<std::size_t>(i)])) {
+    per_t_ = space.per_unit();
+    const Wide3 origin = (packet.ray.origin - Wide3(space.centre())) * per_t_;
+    const unsigned near = bits_of(max_abs(origin) < BoxSpace::reach_of_rays) & packet.active;
+    const Wide3& d = packet.ray.direction;
+    const Wide3 inverse{inverse_of(d.x), inverse_of(d.y), inverse_of(d.z)};
+    active_ = near;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      rays_[i].origin = {static_cast<float>(origin.x[i]), static_cast<float>(origin.y[i]),
+                         static_cast<float>(origin.z[i])};
+      rays_[i].inverse = {static_cast<float>(inverse.x[i]), static_cast<float>(inverse.y[i]),
+                          static_cast<float>(inverse.z[i])};
+    }
+    each_lane(packet.active & ~near, [&](int i) {
+      const auto at = static_cast<std::size_t>(i);
+      if (space.enter(packet.ray.lane(i), rays_[at])) {
         active_ |= 1U << i;
+        entry_[at] = rays_[at].entry;
       }
     });
     limit(t_max);
@@ -25,46 +39,62 @@ class PacketBoxRays {
 
   /// Where lanes end from now on; those with a negative t_max leave.
   void limit(const Wide& t_max) {
-    each_lane(active_, [&](int i) {
-      const auto at = static_cast<std::size_t>(i);
-      limits_[at] = t_max[at] < 0.0 ? -1.0F : rays_[at].limit(t_max[at]);
-    });
+    const Wide far = t_max * per_t_ - entry_;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      limits_[i] = BoxRay::beyond_rounding(static_cast<float>(far[i]));
+    }
+    ended_ = bits_of(t_max < 0.0);
   }
   /// Which lanes of `bits` do not end before the float parameter.
   unsigned before_end(unsigned bits, float near) const {
     unsigned out = 0;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      out |= static_cast<unsigned>(!(near > limits_[i])) << i;
+    }
+    return out & bits & ~ended_;
+  }
+
+  /// What the lanes may touch of a group of boxes.
+  struct Touched {
+    unsigned boxes = 0;                    ///< that some lane may touch
+    std::array<unsigned, lanes> by_lane{};  ///< the boxes that one lane may
+    alignas(32) float near[BoxGroup::width];  ///< where the first lane enters, or earlier
+
+    unsigned lanes_at(int box) const {
+      unsigned out = 0;
+      for (std::size_t i = 0; i < lanes; ++i) {
+        out |= (by_lane[i] >> box & 1U) << i;
+      }
+      return out;
+    }
+  };
+  Touched touched(const BoxGroup& group, unsigned bits) const {
+    Touched out;
+    BoxGroup::Floats nearest = std::numeric_limits<float>::infinity();
     each_lane(bits, [&](int i) {
-      out |= static_cast<unsigned>(!(near > limits_[static_cast<std::size_t>(i)])) << i;
+      const auto at = static_cast<std::size_t>(i);
+      BoxGroup::Floats near;
+      out.by_lane[at] = group.touched(rays_[at], limits_[at], near);
+      out.boxes |= out.by_lane[at];
+      nearest = min(nearest, near);
     });
+    nearest.copy_to(out.near, stdx::vector_aligned);
     return out;
   }
 
-  /// Which boxes of the group the lanes of `bits` may touch: per_box[b] are the lanes that may
-  /// touch box b, near[b] is where the first of them enters. Returns the boxes.
-  unsigned touched(const BoxGroup& group, unsigned bits, unsigned* per_box, float* near) const {
-    unsigned boxes = 0;
-    for (std::size_t b = 0; b < BoxGroup::width; ++b) {
-      per_box[b] = 0;
-    }
-    __m256 nearest = _mm256_set1_ps(std::numeric_limits<float>::infinity());
-    each_lane(bits, [&](int i) {
-      const auto at = static_cast<std::size_t>(i);
-      alignas(32) float enter[BoxGroup::width];
-      const unsigned hits = group.touched(rays_[at], limits_[at], enter);
-      boxes |= hits;
-      for (unsigned rest = hits; rest != 0; rest &= rest - 1) {
-        per_box[std::countr_zero(rest)] |= 1U << i;
-      }
-      nearest = _mm256_min_ps(nearest, _mm256_load_ps(enter));
-    });
-    _mm256_store_ps(near, nearest);
-    return boxes;
+ private:
+  /// As BoxSpace::inverse_of().
+  static Wide inverse_of(const Wide& d) {
+    return select(abs(d) * BoxSpace::endless > 1.0, 1.0 / d,
+                  stdx::copysign(Wide(BoxSpace::endless), d));
   }
 
- private:
   std::array<BoxRay, lanes> rays_;
   std::array<float, lanes> limits_{};
+  Wide per_t_{0.0};
+  Wide entry_{0.0};
   unsigned active_ = 0;
+  unsigned ended_ = 0;
 };
 
 /// Calls visit(index, lanes) -> Wide for every box of a list that lanes may touch; what it returns
@@ -74,12 +104,11 @@ void walk_packet(const BoxList& list, const Packet& packet, const Wide& t_max, V
   PacketBoxRays rays(list.space(), packet, t_max);
   const auto& groups = list.groups();
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    unsigned per_box[BoxGroup::width];
-    alignas(32) float near[BoxGroup::width];
-    for (unsigned hits = rays.touched(groups[g], rays.active(), per_box, near); hits != 0;) {
-      const int box = BoxGroup::nearest(hits, near);
+    const auto touched = rays.touched(groups[g], rays.active());
+    for (unsigned hits = touched.boxes; hits != 0;) {
+      const int box = BoxGroup::nearest(hits, touched.near);
       hits &= ~(1U << box);
-      if (const unsigned bits = rays.before_end(per_box[box], near[box])) {
+      if (const unsigned bits = rays.before_end(touched.lanes_at(box), touched.near[box])) {
         rays.limit(visit(static_cast<std::uint32_t>(BoxGroup::width * g) +
                              static_cast<std::uint32_t>(box),
                          bits));

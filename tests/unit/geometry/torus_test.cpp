@@ -110,7 +110,53 @@ TEST(Torus, ALimitTakesAwayOnlyWhatLiesBeyond) {
   }
 }
 
+TEST(Torus, ThroughTheHoleTheFarSideIsMet) {
+  // Into the slab over the hole, on either side of the axis, and out of the hole below the waist.
+  EXPECT_NEAR(t_of(Torus{}, {-0.5, 1, 0}, {1, -0.8, 0}), 1.25, 1e-15);  // at (0.75, 0, 0)
+  EXPECT_NEAR(t_of(Torus{}, {0.25, 1, 0}, {0.5, -1, 0}), 1, 1e-15);
+  EXPECT_EQ(t_of(Torus{}, {-0.5, 1, 0}, {0.7, -0.8, 0}), -1);  // out of the slab before the waist
+  EXPECT_EQ(t_of(Torus{}, {0.25, 1, 0}, {0.2, -1, 0.1}), -1);
+}
+
+TEST(Torus, TheWaistIsGrazedOnOneSideOnly) {
+  for (const double off : {1e-3, 1e-6, 1e-9, 1e-12}) {
+    const double x = 0.75 + off;
+    const double height = std::sqrt(0.0625 - (x - 1) * (x - 1));
+    EXPECT_NEAR(t_of(Torus{}, {x, 3, 0}, {0, -1, 0}), 3 - height, 1e-16 / height + 1e-15);
+    EXPECT_EQ(t_of(Torus{}, {0.75 - off, 3, 0}, {0, -1, 0}), -1);
+    EXPECT_EQ(t_of(Torus{}, {0, 3, 0.75 - off}, {0, -1, 0}), -1);
+  }
+}
+
+TEST(Torus, BoundsThatAreMissedAreNotTouchedByRounding) {
+  // Lines that touch the bounding sphere or slab to within rounding, from near and from far.
+  for (const double distance : {2.0, 1e3, 1e6, 1e9}) {
+    EXPECT_NEAR(t_of(Torus{}, {-distance, 0, 1.25 - 1e-12}, {1, 0, 0}), distance,
+                1.6e-6 + 1e-15 * distance);
+    EXPECT_NEAR(t_of(Torus{}, {-distance, 0.25 - 1e-12, 0}, {1, 0, 0}), distance - 1,
+                7.2e-7 + 1e-15 * distance);
+    EXPECT_EQ(t_of(Torus{}, {-distance, 0, 1.25 + 1e-12}, {1, 0, 0}), -1);
+    EXPECT_EQ(t_of(Torus{}, {-distance, 0.25 + 1e-12, 0}, {1, 0, 0}), -1);
+  }
+}
+
 TEST(Torus, IsNeverHitByNanOrByNothing) {
+  for (const double bad : {nan, infinity, -infinity}) {
+    for (int i = 0; i < 3; ++i) {
+      Vec3 origin(3, 0.1, 0);
+      Vec3 direction(-1, 0, 0.1);
+      origin[i] = bad;
+      EXPECT_FALSE(hit(Torus{}, origin, direction).has_value());
+      EXPECT_FALSE(hit(Torus{}, origin, direction, near_start(1e-15)).has_value());
+      origin = {3, 0.1, 0};
+      direction[i] = bad;
+      EXPECT_FALSE(hit(Torus{}, origin, direction).has_value());
+      EXPECT_FALSE(hit(Torus{}, origin, direction, near_start(1e-15)).has_value());
+    }
+  }
+  EXPECT_FALSE(hit(Torus{}, {3, 0, 0}, {0, 0, 0}).has_value());
+  EXPECT_FALSE(hit(Torus{}, {1, 0, 0}, {0, 0, 0}).has_value());
+  EXPECT_FALSE(hit(Torus{}, {3, 0, 0}, {-1e200, 0, 0}).has_value());
   EXPECT_FALSE(hit(Torus{}, {3, nan, 0}, {-1, 0, 0}).has_value());
   EXPECT_FALSE(hit(Torus{}, {3, 0, 0}, {-1, 0, nan}).has_value());
   EXPECT_FALSE(hit(Torus{}, {1.25, 0, 0}, {0, 0, 0}, leaving(Leaving::inward)).has_value());

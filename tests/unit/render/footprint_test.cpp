@@ -208,7 +208,8 @@ TEST(Footprint, IsNotTrackedWithoutTextures) {
   j.options.texture_filter = true;
   j.options.textures = false;
   EXPECT_FALSE(make_plan(j).footprints);
-  EXPECT_EQ(make_plan(j).instances.back().textures, nullptr);
+  const RenderPlan plan = make_plan(j);
+  EXPECT_EQ(plan.material_of(plan.instances.back()).textures, nullptr);
 }
 
 }  // namespace

@@ -159,7 +159,7 @@ TEST(Motion, WhatStandsStillPaysNothing) {
   const RenderPlan still = make_plan(job);
   EXPECT_FALSE(still.moves);
   for (const PlannedInstance& instance : still.instances) {
-    EXPECT_EQ(instance.motion, nullptr);
+    EXPECT_FALSE(instance.moves());
   }
   // A shutter that does not open, and --disable motion-blur, freeze all.
   job = all_moving();
@@ -178,7 +178,8 @@ TEST(Motion, KeysAreAsDenseAsATenthOfAPixelAsks) {
   to.degrees = 350.0;
   add_moving(job, Box{{0, -0.01, 0}, {0.45, 0.01, 0.01}}, {}, shining(), moving(to));
   const RenderPlan plan = make_plan(job);
-  const PlannedMotion& motion = *plan.instances[0].motion;
+  ASSERT_TRUE(plan.instances[0].moves());
+  const PlannedMotion& motion = plan.placements.motion(plan.instances[0].placement);
   EXPECT_LT(motion.keys.size(), 500u);
   double worst = 0.0;
   for (int i = 0; i <= 10000; ++i) {

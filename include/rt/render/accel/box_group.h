@@ -1,12 +1,11 @@
 #pragma once
 /// Boxes in single precision, tested eight at a time against rays and shafts: what BoxList and
 /// BoxTree are made of.
-#include <immintrin.h>
-
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <experimental/simd>
 #include <optional>
 #include <vector>
 
@@ -24,9 +23,9 @@ struct BoxRay {
 
   /// The float parameter for a limit in t, increased by more than float arithmetic can err.
   float limit(double t_max) const {
-    const auto far = static_cast<float>(t_max * per_t - entry);
-    return far + std::abs(far) * 0x1p-20F + 0x1p-17F;
+    return beyond_rounding(static_cast<float>(t_max * per_t - entry));
   }
+  static float beyond_rounding(float far) { return far + std::abs(far) * 0x1p-20F + 0x1p-17F; }
 };
 
 /// All segments from the points of one box to those of another: a shaft after Haines and Wallace,
@@ -45,23 +44,35 @@ struct BoxShaft {
 /// Eight boxes: lower and upper faces of each axis.
 struct BoxGroup {
   static constexpr std::size_t width = 8;
+  /// Eight floats: one register, or two where registers are smaller.
+  using Floats = std::experimental::simd<float, std::experimental::simd_abi::deduce_t<float, width>>;
+
   alignas(32) float lo[3][width];
   alignas(32) float hi[3][width];
 
-  /// Bit i: the ray may touch box i before `limit`; near[i]: where it enters.
-  unsigned touched(const BoxRay& ray, float limit, float* near) const {
-    __m256 enter = _mm256_setzero_ps();
-    __m256 leave = _mm256_set1_ps(limit);
+  static Floats load(const float* eight) { return {eight, std::experimental::vector_aligned}; }
+  static unsigned bits_of(const Floats::mask_type& m) {
+    return static_cast<unsigned>(m.__to_bitset().to_ulong());
+  }
+
+  /// Bit i: the ray may touch box i before `limit`; near: where it enters.
+  unsigned touched(const BoxRay& ray, float limit, Floats& near) const {
+    Floats enter = 0.0F;
+    Floats leave = limit;
     for (std::size_t k = 0; k < 3; ++k) {
-      const __m256 o = _mm256_set1_ps(ray.origin[k]);
-      const __m256 inverse = _mm256_set1_ps(ray.inverse[k]);
-      const __m256 a = _mm256_mul_ps(_mm256_sub_ps(_mm256_load_ps(lo[k]), o), inverse);
-      const __m256 b = _mm256_mul_ps(_mm256_sub_ps(_mm256_load_ps(hi[k]), o), inverse);
-      enter = _mm256_max_ps(enter, _mm256_min_ps(a, b));
-      leave = _mm256_min_ps(leave, _mm256_max_ps(a, b));
+      const Floats a = (load(lo[k]) - ray.origin[k]) * ray.inverse[k];
+      const Floats b = (load(hi[k]) - ray.origin[k]) * ray.inverse[k];
+      enter = max(enter, min(a, b));
+      leave = min(leave, max(a, b));
     }
-    _mm256_store_ps(near, enter);
-    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(enter, leave, _CMP_LE_OQ)));
+    near = enter;
+    return bits_of(enter <= leave);
+  }
+  unsigned touched(const BoxRay& ray, float limit, float* near) const {
+    Floats enter;
+    const unsigned hits = touched(ray, limit, enter);
+    enter.copy_to(near, std::experimental::vector_aligned);
+    return hits;
   }
 
   /// Bit i: some segment of the shaft may touch box i.
@@ -103,6 +114,13 @@ class BoxSpace {
   double far_end() const { return 2.0 * shaft_reach / per_unit_; }
   /// None when the shaft begins too far away to be told from others.
   std::optional<BoxShaft> enter(const Shaft& shaft) const;
+
+  const Vec3& centre() const { return centre_; }
+  double per_unit() const { return per_unit_; }
+  /// Rays that begin nearer than this to the centre, in half-edges of the cube, need not be clipped.
+  static constexpr double reach_of_rays = 8.0;
+  /// Stands for 1/0: no path is so long.
+  static constexpr double endless = 1e30;
 
  private:
   /// Shafts begin no further than this from the boxes' centre, in half-edges of their cube.

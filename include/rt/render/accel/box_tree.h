@@ -83,17 +83,15 @@ class BoxTree {
         continue;
       }
       const Node& node = nodes_[next.child];
-      unsigned per_box[BoxGroup::width];
-      alignas(32) float near[BoxGroup::width];
+      const auto touched = rays.touched(node.boxes, left);
       const int begin = size;
-      for (unsigned hits = rays.touched(node.boxes, left, per_box, near); hits != 0;
-           hits &= hits - 1) {
+      for (unsigned hits = touched.boxes; hits != 0; hits &= hits - 1) {
         const int box = std::countr_zero(hits);
         int place = size++;
-        for (; place > begin && stack[place - 1].near < near[box]; --place) {
+        for (; place > begin && stack[place - 1].near < touched.near[box]; --place) {
           stack[place] = stack[place - 1];
         }
-        stack[place] = {near[box], node.child[box], per_box[box]};
+        stack[place] = {touched.near[box], node.child[box], touched.lanes_at(box)};
       }
     }
   }

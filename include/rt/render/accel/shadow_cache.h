@@ -26,7 +26,7 @@ class ShadowCache {
 
  private:
   static constexpr std::size_t entries = 1024;
-  static constexpr std::size_t most = 12;
+  static constexpr std::size_t most = 28;
   enum class State : std::uint8_t { unknown, many, known };
 
   struct alignas(64) Entry {
@@ -41,6 +41,15 @@ class ShadowCache {
     Bounds bounds;
   };
 
+  /// The cell that was asked about last, and its entry, for as long as that is not another's.
+  struct Last {
+    Cell cell;
+    const Entry* entry = nullptr;
+  };
+
+  Candidates answer(const Entry& entry) const {
+    return {entry.state == State::known, entry.dims, {entry.instances.data(), entry.count}};
+  }
   Cell cell_of(std::size_t light, const Vec3& position) const;
   void fill(Entry& entry, const Bounds& cell, std::size_t light) const;
   bool add(Entry& entry, std::uint32_t instance) const;
@@ -48,6 +57,7 @@ class ShadowCache {
   const RenderPlan& plan_;
   int fineness_;  ///< cells are 2^-fineness of the power of two below their distance
   std::vector<Bounds> lights_;
+  std::vector<Last> last_;  ///< by light
   std::vector<Entry> table_;
 };
 

@@ -21,11 +21,14 @@ class SightCache {
   /// For camera rays through (x, y), in pixels from the picture's top left.
   Candidates through(double x, double y);
 
+  /// Edge of a block, in pixels: through() answers alike for all places of one.
+  static constexpr double block = 8.0;
+
  private:
   static constexpr std::size_t entries = 256;
-  static constexpr std::size_t most = 5;
+  static constexpr std::size_t most = 12;
 
-  struct alignas(32) Entry {
+  struct alignas(64) Entry {
     int x, y;
     bool filled = false;
     bool few = false;

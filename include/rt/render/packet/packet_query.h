@@ -20,7 +20,4 @@ unsigned occluded_lanes(const RenderPlan& plan, const Packet& packet, const Wide
 unsigned occluded_lanes_by(const RenderPlan& plan, std::span<const std::uint32_t> instances,
                            const Packet& packet, const Wide& t_max);
 
-/// The rays in an instance's model space, with the same t.
-WideRay model_rays(const Placement& instance, const WideRay& ray);
-
 }  // namespace rt

@@ -1,5 +1,6 @@
 #pragma once
 /// Points to be shaded, several at a time: shading.h and direct_light.h lane by lane.
+#include "rt/math/wide_sampler.h"
 #include "rt/render/direct_light.h"
 #include "rt/render/packet/packet.h"
 
@@ -32,11 +33,10 @@ struct WidePhong {
   double least_r_dot_v;
 };
 
-/// Light `index` reflected towards `view`; 0 in lanes that are not of `bits`. `samplers`: one a
-/// lane.
+/// Light `index` reflected towards `view`; 0 in lanes that are not of `bits`.
 Wide3 direct_light(const RenderPlan& plan, std::size_t index, const WidePhong& phong,
                    const WideShadingPoint& point, unsigned bits, const Wide3& view,
-                   const Sampler* samplers, const Vertex& vertex, const Wide& negligible,
+                   const WideSampler& sampler, const Vertex& vertex, const Wide& negligible,
                    ShadowCache& cache, RayCounts& counts);
 
 }  // namespace rt

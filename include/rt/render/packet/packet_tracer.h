@@ -1,6 +1,5 @@
 #pragma once
 /// The recursive shader (tracer.h) for several samples at a time.
-#include <array>
 #include <vector>
 
 #include "rt/render/accel/candidates.h"
@@ -19,8 +18,8 @@ class PacketTracer {
   explicit PacketTracer(const RenderPlan& plan);
 
   /// The radiance that arrives along the packet's camera rays (of any length). `y`: as for Tracer,
-  /// `samplers`: one a lane.
-  Wide3 radiance(Packet camera, const Wide& y, const std::array<Sampler, lanes>& samplers,
+  /// `sampler`: theirs.
+  Wide3 radiance(Packet camera, const Wide& y, const WideSampler& sampler,
                  RayCounts& counts, const Candidates& sight);
 
  private:
@@ -34,6 +33,7 @@ class PacketTracer {
 
   void follow(const Path& path);
   void shade(const Path& path, const PacketHits& hits, std::uint32_t instance, unsigned bits);
+  unsigned find_media(Scatter& at);
   Wide3 surface(const Scatter& at);
   void scatter(Scatter& at);
   void divide(Scatter& at, const Wide& reflected, const Wide& transmitted);
@@ -53,7 +53,7 @@ class PacketTracer {
   Wide3 sum_;
   Wide y_;
   Candidates sight_;
-  const Sampler* samplers_ = nullptr;
+  const WideSampler* sampler_ = nullptr;
   RayCounts* counts_ = nullptr;
 };
 

@@ -1,0 +1,105 @@
+#include "rt/render/packet/packet_sample.h"
+
+#include <algorithm>
+
+#include "rt/math/wide_functions.h"
+
+namespace rt {
+namespace {
+
+/// Whether the cache answers for all these places alike.
+bool one_block(const Wide2& places) {
+  const Wide i = stdx::floor(places.x / SightCache::block);
+  const Wide j = stdx::floor(places.y / SightCache::block);
+  return stdx::all_of(i == Wide(i[0]) && j == Wide(j[0]));
+}
+
+/// As CameraFrame::direction().
+Wide3 direction(const CameraFrame& camera, const Wide& x, const Wide& y) {
+  return Wide3(camera.forward) + (2.0 * x - 1.0) * Wide3(camera.right) +
+         (2.0 * y - 1.0) * Wide3(camera.down);
+}
+
+}  // namespace
+
+void PacketSampler::take(std::span<const PixelSample> wanted, std::span<std::optional<Rgb>> values,
+                         RenderStatistics& statistics, SightCache& sight) {
+  for (std::size_t i = 0; i < wanted.size(); i += lanes) {
+    const std::size_t n = std::min<std::size_t>(lanes, wanted.size() - i);
+    take_packet(wanted.subspan(i, n), values.subspan(i, n), statistics, sight);
+  }
+}
+
+/// What the camera's rays through some places can meet, if that is known to be little.
+Candidates PacketSampler::sight_of(SightCache& sight, const Wide2& places, unsigned count) {
+  const Candidates first = sight.through(places.x[0], places.y[0]);
+  if (!first.known || one_block(places)) {
+    return first;
+  }
+  union_.assign(first.instances.begin(), first.instances.end());
+  for (std::size_t i = 1; i < count; ++i) {
+    const Candidates next = sight.through(places.x[i], places.y[i]);
+    if (!next.known) {
+      return next;
+    }
+    for (const std::uint32_t id : next.instances) {
+      if (std::ranges::find(union_, id) == union_.end()) {
+        union_.push_back(id);
+      }
+    }
+  }
+  return {true, false, union_};
+}
+
+void PacketSampler::take_packet(std::span<const PixelSample> wanted,
+                               std::span<std::optional<Rgb>> values,
+                               RenderStatistics& statistics, SightCache& sight) {
+  const RenderPlan& plan = plan_;
+  const auto count = static_cast<unsigned>(wanted.size());
+  const bool lens = plan.camera.lens_radius > 0.0;
+  const bool centres = wanted[0].at_centre;
+  WideSampler sampler;
+  Wide2 corner;
+  for (int i = 0; i < lanes; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const PixelSample& s = wanted[std::min<std::size_t>(at, count - 1)];
+    corner.x[at] = s.x;
+    corner.y[at] = s.y;
+    if (plan.random || lens || !centres) {
+      sampler.set(i, plan.options.seed, s.x, s.y, s.index);
+    }
+  }
+  Wide2 offset{0.5, 0.5};
+  if (plan.random || lens || !centres) {
+    sampler.begin();
+    if (!centres) {
+      const Wide2 by = filter_offset(plan.options.filter, sampler.pixel());
+      offset = {0.5 + by.x, 0.5 + by.y};
+    }
+  }
+  const Wide2 place{corner.x + offset.x, corner.y + offset.y};
+  const Wide px = place.x / plan.options.width;
+  const Wide py = place.y / plan.options.height;
+  Packet camera;
+  camera.active = (1U << count) - 1U;
+  camera.ray = {Wide3(Wide(0.0)), direction(plan.camera, px, py)};
+  for (int i = 0; i < lanes && lens; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const TraceRay ray = lens_ray(plan.camera, px[at], py[at], sampler.lane(i));
+    camera.ray.origin.set(i, ray.origin);
+    camera.ray.direction.set(i, ray.direction);
+  }
+  const Wide y = min(max(py, Wide(0.0)), Wide(1.0));
+  const Wide3 sum = tracer_.radiance(camera, y, sampler, statistics.rays, sight_of(sight, place, count));
+  statistics.samples += count;
+  for (unsigned i = 0; i < count; ++i) {
+    const Rgb value = sum.lane(static_cast<int>(i));
+    values[i] = value;
+    if (!all_finite(value)) {
+      statistics.add_bad(wanted[i].x, wanted[i].y);
+      values[i] = std::nullopt;
+    }
+  }
+}
+
+}  // namespace rt
