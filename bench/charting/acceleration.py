@@ -15,12 +15,10 @@ def case_of(context, method, count):
 
     def case():
         # Without the libraries that write pictures: their loading would share the processor.
-        said, _, _, memory = context.programs.timed(
-            [context.build / "render_only", SCENE, size, f"accel={method}", "--", count])
-        build, trace, rays = map(float, said.split()[1:])
+        told = context.programs.render_only(SCENE, size, f"accel={method}", "--", count)
         return {"series": LABELS[method], "primitives": count, "size": size,
-                "time": build + trace, "build": build, "trace": trace, "rays": rays,
-                "memory": memory}
+                "time": told["build"] + told["trace"], "build": told["build"],
+                "trace": told["trace"], "rays": told["rays"], "memory": told["memory"]}
     return case
 
 

@@ -2,10 +2,12 @@
 import pathlib
 import statistics
 
-from . import calibration, curves, tables
+from . import calibration, curves, tables, whole_scenes
 
-TABLES = ["torus", "leaving", "samplers", "calibration", "antialiasing", "soft_shadows",
+TABLES = ["torus", "leaving", "samplers", "calibration", "antialiasing", "soft_shadows", "nesting",
           "whole_scenes", "economy"]
+# S4 as we render it by default is not the peers' picture.
+SAME_PICTURE = set(whole_scenes.CASES) - {"S4"}
 
 
 def of_torus(rows):
@@ -46,7 +48,7 @@ def of_samplers(rows, s5):
         yield "slope_" + name, curves.slope(
             [r for r in rows if (r["integral"], r["sampler"]) == (integral, sampler)
              and r["count"] > 4], "count")
-    yield "slope_s5", curves.slope([r for r in s5 if r["series"] == "uniform"])
+    yield "slope_s5", curves.slope([r for r in s5 if str(r["series"]).startswith("uniform")])
 
 
 def of_calibration(rows):
@@ -97,21 +99,33 @@ def of_s5(rows):
                  "POV-Ray was not measured")
 
 
+def of_nesting(rows):
+    """How much longer the best of the nested settings takes to err as little as the finest does."""
+    for scene, found in curves.series(rows, "scene").items():
+        by = curves.series(found)
+        nested = [r for r in found if r["series"].startswith("nested")]
+        least = min(nested, key=lambda r: r["rmse"])
+        own = time_for(by["one path a sample"], least["rmse"])
+        yield "nested_" + scene, (f"{least['time'] / own:.1f} times as long at an RMSE of "
+                                  f"{least['rmse']:.1g}" if own else "an error out of reach")
+
+
 def of_costs(antialiasing, scenes, economy):
     by = curves.series(antialiasing)
     default = next(r for r in by["adaptive"] if r["setting"] == "--max-error 0.02")
-    yield from (("default_rmse", default["rmse"]), ("default_time", default["time"]))
+    yield from (("default_rmse", default["rmse"]), ("default_time", default["time"]),
+                ("default_flip", default.get("flip", float("nan"))))
     yield "uniform_ratio", (time_for(by["uniform"], default["rmse"]) or 0) / default["time"]
     reached = [r["time"] for r in antialiasing
                if r["series"].startswith("POV") and r["rmse"] <= default["rmse"]]
     yield "pov_ratio", (f"{min(reached) / default['time']:.1f} times (its fastest setting that errs "
                         "no more)" if reached else "does not reach it with any setting tried")
     yield "s1_size", "200x150"
-    for peer, name in (("povray", "pov"), ("tachyon", "tachyon")):
+    for peer, name in (("povray", "pov"), ("tachyon", "tachyon"), ("mitsuba", "mitsuba")):
         own = {r["scene"]: r["time"] for r in scenes if r["program"] == "raytracer"}
         ratios = [r["time"] / own[r["scene"]] for r in scenes
-                  if r["program"] == peer and r["scene"] != "trivial"] or [float("nan")]
-        yield from ((name + "_low", min(ratios)), (name + "_high", max(ratios)))
+                  if r["program"] == peer and r["scene"] in SAME_PICTURE]
+        yield name, f"{min(ratios):.2f} to {max(ratios):.2f}" if ratios else "not measured"
     yield "economy", max(100 * abs(r["unused_on"] / r["unused_off"] - 1) for r in economy)
 
 
@@ -127,6 +141,7 @@ def write(data_folder, target):
     facts |= dict([*of_torus(data["torus"]), *of_leaving(data["leaving"]),
                    *of_samplers(data["samplers"], data["soft_shadows"]),
                    *of_calibration(data["calibration"]), *of_s5(data["soft_shadows"]),
+                   *of_nesting(data["nesting"]),
                    *of_costs(data["antialiasing"], data["whole_scenes"], data["economy"])])
     words = (pathlib.Path(__file__).parent / "accuracy.md.in").read_text()
     target.write_text(words.format(**facts))

@@ -31,10 +31,13 @@ def measure(context):
             for setting in settings[:1] if context.quick else settings:
                 cases.append(curves.pov_case(context, "S1", [*setting.split(), "-J"], label, size,
                                              pov, truth))
+    cases += curves.mitsuba_cases(context, "S1", size, truth)
     return {NAME: curves.measured(context, cases)}
 
 
 def draw(data):
-    figure, (axes,) = style.sheet()
-    curves.draw(axes, data[NAME], TITLE)
+    figure, panels = style.sheet(2, width=9.6)
+    curves.draw(panels[0], data[NAME], "Error of values")
+    curves.draw(panels[1], data[NAME], "Error as seen", error="flip", label_of_error="mean FLIP")
+    panels[1].get_legend().remove()
     return figure, curves.floor(data[NAME])

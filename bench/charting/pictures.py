@@ -87,8 +87,17 @@ def read_ppm(path):
     return values.reshape(height, width, 3) / top
 
 
+def read_pfm(path):
+    """A portable float map: RGB, little-endian, rows from the bottom."""
+    _, size, scale, values = path.read_bytes().split(b"\n", 3)
+    width, height = map(int, size.split())
+    if float(scale) >= 0:
+        raise ValueError(f"{path} is big-endian")
+    return np.frombuffer(values, "<f4").astype(float).reshape(height, width, 3)[::-1]
+
+
 def read(path):
-    return read_exr(path) if path.suffix == ".exr" else read_ppm(path)
+    return {".exr": read_exr, ".pfm": read_pfm}.get(path.suffix, read_ppm)(path)
 
 
 # --- comparing -------------------------------------------------------------------------------------
@@ -96,6 +105,19 @@ def read(path):
 def rmse(a, b):
     """Root of the mean squared difference of linear values, clamped to what can be displayed."""
     return float(np.sqrt(np.mean((np.clip(a, 0, 1) - np.clip(b, 0, 1)) ** 2)))
+
+
+def blocks(picture, edge):
+    """Means over square blocks; what does not fill one is left out."""
+    height, width = (n // edge for n in picture.shape[:2])
+    cut = picture[:height * edge, :width * edge]
+    return cut.reshape(height, edge, width, edge, 3).mean(axis=(1, 3))
+
+
+def differ_by_noise(a, b, edge=8):
+    """Whether what is between two pictures averages out as independent errors of pixels do: over
+    blocks of edge x edge to 1/edge of the whole; up to twice that."""
+    return rmse(blocks(a, edge), blocks(b, edge)) <= 2 * rmse(a, b) / edge
 
 
 def lab(picture):

@@ -3,6 +3,7 @@ statistics."""
 import functools
 import hashlib
 import json
+import os
 import pathlib
 import re
 import shutil
@@ -83,6 +84,13 @@ class Programs:
         return Run(told["seconds"]["trace_cpu"], user, wall, memory,
                    pictures.read(out) if picture else None, told)
 
+    def render_only(self, scene, size, *words):
+        """What bench/economy/render_only says, by name; and the process' largest memory."""
+        said, _, _, memory = self.timed([self.build / "render_only", scene, size, *words])
+        names = ("digest", "build", "trace", "rays", "shapes", "script_bytes", "plan_bytes", "script")
+        told = dict(zip(names, said.split()))
+        return {k: v if k == "digest" else float(v) for k, v in told.items()} | {"memory": memory}
+
     def povray(self, scene, size, *options):
         """Values are linear: the files of bench/peers.py say assumed_gamma 1."""
         out = self.scratch / "povray.ppm"
@@ -103,6 +111,27 @@ class Programs:
              size[1], "-format", "PPM48", "-o", out])
         stated = float(re.search(r"Ray Tracing Time:\s+([0-9.]+)", said).group(1))
         return Run(min(stated, user), user, wall, memory, pictures.read(out), {"stated": stated})
+
+    @functools.cached_property
+    def mitsuba_python(self):
+        """A Python that can render with Mitsuba; None where there is none."""
+        given = os.environ.get("MITSUBA_PYTHON")
+        usual = pathlib.Path.home() / ".local/share/raytracer/mitsuba/bin/python"
+        test = "import mitsuba as m, drjit; m.set_variant('llvm_ad_rgb'); drjit.eval(m.Float(1) + 1)"
+        for python in [given] if given else [usual, shutil.which("python3")]:
+            if python and os.access(python, os.X_OK) and subprocess.run(
+                    [python, "-c", test], capture_output=True, check=False).returncode == 0:
+                return python
+        return None
+
+    def mitsuba(self, scene, size, samples=1, passes=1, seed=0):
+        """The compiling of its kernel is not counted as tracing."""
+        out = self.scratch / "mitsuba.pfm"
+        said, user, wall, memory = self.timed(
+            [self.mitsuba_python, ROOT / "bench/mitsuba_peer.py", scene, f"{size[0]}x{size[1]}",
+             samples, passes, seed, out])
+        told = json.loads(said.splitlines()[-1])
+        return Run(told["trace"], user, wall, memory, pictures.read(out), told)
 
     def reference(self, key, *makers):
         """The mean of independent pictures, and the error of that mean; kept between runs."""

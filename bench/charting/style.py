@@ -11,8 +11,9 @@ import matplotlib.pyplot as plt  # noqa: E402
 # Okabe and Ito's colours, which colour-blind people can tell apart.
 OWN, POVRAY, TACHYON = "#0072B2", "#D55E00", "#009E73"
 PINK, YELLOW, SKY, GREY = "#CC79A7", "#E69F00", "#56B4E9", "#777777"
-COLOURS = [OWN, POVRAY, TACHYON, PINK, YELLOW, SKY, GREY]
-MARKS = "os^DvPX"
+BLACK = "#000000"
+COLOURS = [OWN, POVRAY, TACHYON, PINK, YELLOW, SKY, GREY, BLACK]
+MARKS = "os^DvPX*"
 
 plt.rcParams.update({
     "font.size": 9, "axes.titlesize": 11, "axes.titleweight": "bold", "axes.titlelocation": "left",
@@ -59,14 +60,17 @@ def decimal(x, _):
 
 
 def plain_ticks(axes):
-    """Decades, or 1, 2, 5 where there are few of them."""
     for axis in (axes.xaxis, axes.yaxis):
-        low, high = sorted(axis.get_view_interval())
-        decades = math.log10(high / low)
-        axis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5) if decades < 2.3 else (1,),
-                                                 numticks=12))
-        axis.set_major_formatter(ticker.FuncFormatter(decimal))
-        axis.set_minor_locator(ticker.NullLocator())
+        plain_ticks_of(axis)
+
+
+def plain_ticks_of(axis):
+    """Decades, or 1, 2, 5 where there are few of them."""
+    low, high = sorted(axis.get_view_interval())
+    decades = math.log10(high / low)
+    axis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5) if decades < 2.3 else (1,), numticks=12))
+    axis.set_major_formatter(ticker.FuncFormatter(decimal))
+    axis.set_minor_locator(ticker.NullLocator())
 
 
 def save(figure, path, note, title=""):

@@ -24,8 +24,8 @@ def processor():
     return f"{names[0] if names else platform.machine()}, {len(names)} cores"
 
 
-def circumstances(build, command):
-    """Machine and versions, as the lines that head a data file."""
+def circumstances(build, command, mitsuba=None):
+    """Machine and versions, as the lines that head a data file. `mitsuba`: a Python that has it."""
     system = first_line("sh", "-c", ". /etc/os-release && echo $PRETTY_NAME")
     commit = first_line("git", "-C", str(ROOT), "rev-parse", "--short", "HEAD")
     with open("/proc/loadavg") as load:
@@ -33,6 +33,9 @@ def circumstances(build, command):
     peers = [first_line("povray", "--version") if Programs.has("povray") else ""]
     if Programs.has("tachyon"):
         peers.append("Tachyon " + first_line("dpkg-query", "-W", "-f", "${Version}", "tachyon"))
+    if mitsuba:
+        peers.append("Mitsuba " + first_line(str(mitsuba), "-c",
+                                             "import mitsuba; print(mitsuba.__version__)"))
     return [f"made by: {command}", f"date: {datetime.date.today()}",
             f"machine: {processor()}, {system}, load {busy} at the start",
             f"versions: {first_line(str(build / 'raytracer'), '--version')} ({commit}), "
@@ -88,3 +91,24 @@ def alternated(cases, runs, *measured):
         rounds.append([case() for case in cases])
         print(f"  round {number + 1} of {runs}", file=sys.stderr)
     return [median_row(list(same), *measured) for same in zip(*rounds)]
+
+
+def markdown(columns, rows):
+    """A table. `columns`: heading and what makes a row's cell."""
+    lines = ["| " + " | ".join(columns) + " |", "|" + "---|" * len(columns)]
+    return lines + ["| " + " | ".join(str(cell(row)) for cell in columns.values()) + " |"
+                    for row in rows]
+
+
+def page(title, heading, *parts):
+    """A file of bench/results: what it is, how it came to be, paragraphs and tables."""
+    lines = [f"# {title}", "", *[f"{line}  " for line in heading]]
+    for part in parts:
+        lines += ["", *([part] if isinstance(part, str) else part)]
+    return "\n".join(lines) + "\n"
+
+
+def between(row, name, style="{:.3f}"):
+    """A median and its spread, in words."""
+    return " ".join([style.format(row[name]), "[" + style.format(row[name + "_min"]) + ",",
+                     style.format(row[name + "_max"]) + "]"])

@@ -47,4 +47,4 @@ def draw(data):
     each = (ys[-1] - ys[0]) / (xs[-1] - xs[0])
     panels[1].set(xlabel="octaves", ylabel="processor time of a sample, ns",
                   title=f"Noise: {each:.0f} ns an octave", ylim=(0, None))
-    return figure, curves.floor(errors)
+    return figure, curves.floor(errors, peers=())

@@ -1,22 +1,44 @@
-"""Whole scenes against POV-Ray and Tachyon: the same picture, one ray a pixel."""
-import statistics
-
+"""Whole scenes against other ray tracers: the same picture, one ray a pixel; and soft shadows by the
+same number of shadow rays. The table is in speed_table.py."""
 import numpy as np
 
-from . import pictures, style, tables
+from . import pictures, speed_table, style, tables
 from .programs import ROOT, Programs
 
 NAME, TITLE = "whole_scenes", "Whole scenes, the same picture, one ray a pixel"
-SCENES = ["S1", "S1n", "S2", "S3", "S3b", "S4"]
-STRESS = {"S1": "primitives, two lights, a mirror", "S1n": "the same without tori",
-          "S2": "200 tori", "S3": "sphereflake, 7381 balls", "S3b": "10 000 balls",
-          "S4": "glass, eight deep"}
+POINTS = "S4, point-sampled"
+# What is rendered: the scene, our options, those of POV-Ray, and what it stresses.
+ONE_RAY = ["--samples", "1"]
+CASES = {"S1": ("S1", ONE_RAY, [], "primitives, two lights, a mirror"),
+         "S1n": ("S1n", ONE_RAY, [], "the same without tori"),
+         "S2": ("S2", ONE_RAY, [], "200 tori"),
+         "S3": ("S3", ONE_RAY, [], "sphereflake, 7381 balls"),
+         "S3b": ("S3b", ONE_RAY, [], "10 000 balls"),
+         POINTS: ("S4", [*ONE_RAY, "--disable", "texture-filter"], [], "glass, eight deep"),
+         "S4": ("S4", ONE_RAY, [], "the same, our checker filtered"),
+         "S5, light a point": ("S5", [*ONE_RAY, "--disable", "soft-shadows"],
+                               ["-A", "Declare=AN=1"], "a rectangular light as a point")}
+# As many shadow rays a pixel; ours go with as many camera rays, POV-Ray's with one.
+SOFT = {f"{scene}, 64 shadow rays": (scene, ["--samples", "64", "--filter", "box"],
+                                     ["-A", "Declare=AN=8"], light)
+        for scene, light in (("S5", "a rectangular light"), ("S5s", "a spherical light"))}
+TRIVIAL = "trivial"
+MITSUBA = {"S1", "S1n", "S2", "S3", "S3b"}  # those of which it makes the same picture
+LABELS = {"povray": "POV-Ray", "tachyon": "Tachyon", "mitsuba": "Mitsuba"}
+COLOURS = {"povray": style.POVRAY, "tachyon": style.TACHYON, "mitsuba": style.PINK}
 
 
-def run_of(context, program, scene, size):
+def spec(name):
+    return {**CASES, **SOFT, TRIVIAL: ("trivial", ONE_RAY, [], "")}[name]
+
+
+def run_of(context, program, name, size):
+    scene, own, pov, _ = spec(name)
     if program == "raytracer":
         return context.programs.raytracer(ROOT / f"bench/scenes/{scene}.lua", "-s",
-                                          f"{size[0]}x{size[1]}", "--samples", "1")
+                                          f"{size[0]}x{size[1]}", *own)
+    if program == "povray":
+        return context.programs.povray(scene, size, *pov)
     return getattr(context.programs, program)(scene, size)
 
 
@@ -26,36 +48,46 @@ def differing(run, own):
     return float(far.mean())
 
 
-def case_of(context, program, scene, size, own):
+def case_of(context, program, name, size, own):
     def case():
-        run = run_of(context, program, scene, size)
+        run = run_of(context, program, name, size)
         seconds = run.stats.get("seconds", {})
-        return {"scene": scene, "program": program, "size": f"{size[0]}x{size[1]}",
+        rays = run.stats.get("rays", "")
+        return {"scene": name, "program": program, "size": f"{size[0]}x{size[1]}",
                 "time": run.trace, "user": run.user, "wall": run.wall, "memory": run.memory,
                 "script": seconds.get("script", ""), "plan": seconds.get("plan", ""),
-                "write": seconds.get("write", ""),
-                "rays": run.stats["rays"]["total"] if program == "raytracer"
-                else run.stats.get("rays", ""),
+                "write": seconds.get("write", ""), "load": run.stats.get("load", ""),
+                "rays": rays["total"] if program == "raytracer" else rays,
                 "differing": differing(run, own), "rmse": pictures.rmse(run.picture, own.picture)}
     return case
 
 
-def programs_for(context, scene):
+def programs_for(context, name):
+    scene = spec(name)[0]
     yield "raytracer"
     if Programs.has("povray"):
         yield "povray"
-    if Programs.has("tachyon") and (context.programs.peers / f"{scene}.tachyon.dat").exists():
+    alike = name in (scene, TRIVIAL)  # no options of ours, none of theirs
+    if alike and Programs.has("tachyon") and \
+            (context.programs.peers / f"{scene}.tachyon.dat").exists():
         yield "tachyon"
+    if name in MITSUBA | {TRIVIAL} and context.programs.mitsuba_python:
+        yield "mitsuba"
+
+
+def size_of(context, name):
+    if name == TRIVIAL or context.quick:
+        return 64, 48
+    return (320, 240) if name in SOFT else (640, 480)
 
 
 def measure(context):
-    size = (64, 48) if context.quick else (640, 480)
-    scenes = SCENES[:2] if context.quick else SCENES
+    names = ["S1", "S1n", "S5, 64 shadow rays"] if context.quick else [*CASES, *SOFT]
     cases = []
-    for scene in [*scenes, "trivial"]:
-        shape = (64, 48) if scene == "trivial" else size
-        own = run_of(context, "raytracer", scene, shape)
-        cases += [case_of(context, p, scene, shape, own) for p in programs_for(context, scene)]
+    for name in [*names, TRIVIAL]:
+        size = size_of(context, name)
+        own = run_of(context, "raytracer", name, size)
+        cases += [case_of(context, p, name, size, own) for p in programs_for(context, name)]
     return {NAME: tables.alternated(cases, context.runs, "time", "user", "wall")}
 
 
@@ -66,76 +98,45 @@ def by_scene(rows):
     return found
 
 
+def missing(cases):
+    gone = [LABELS[peer] for peer in ("povray", "tachyon")
+            if not any(peer in p for p in cases.values())]
+    return f" Left out, as not installed: {', '.join(gone)}." if gone else ""
+
+
 def draw(data):
-    figure, (axes,) = style.sheet(height=4.2)
-    cases = {s: p for s, p in by_scene(data[NAME]).items() if s != "trivial"}
+    figure, (axes,) = style.sheet(height=5.2)
+    cases = {s: p for s, p in by_scene(data[NAME]).items() if s in CASES}
+    if all(len(programs) == 1 for programs in cases.values()):
+        raise RuntimeError("no data: no program to compare with is installed")
     names = list(cases)[::-1]
-    for shift, program, colour, label in ((0.2, "povray", style.POVRAY, "POV-Ray"),
-                                          (-0.2, "tachyon", style.TACHYON, "Tachyon")):
+    for place, (program, label) in enumerate(LABELS.items()):
         for i, name in enumerate(names):
-            if program not in cases[name]:
-                continue
-            own, peer = cases[name]["raytracer"], cases[name][program]
-            ratio = peer["time"] / own["time"]
-            bar = axes.barh(i + shift, ratio, 0.36, color=colour, label=label,
-                            xerr=[[ratio - peer["time_min"] / own["time_max"]],
-                                  [peer["time_max"] / own["time_min"] - ratio]],
-                            error_kw={"elinewidth": 0.8, "capsize": 2})
-            axes.bar_label(bar, [f"{ratio:.2f}"], padding=4, fontsize=8)
-            label = None
+            # Times too short for a program's clock are none.
+            if program in cases[name] and cases[name][program]["time_min"] > 0:
+                own, peer = cases[name]["raytracer"], cases[name][program]
+                ratio = peer["time"] / own["time"]
+                bar = axes.barh(i + 0.27 * (1 - place), ratio, 0.25, color=COLOURS[program],
+                                label=label, xerr=[[ratio - peer["time_min"] / own["time_max"]],
+                                                   [peer["time_max"] / own["time_min"] - ratio]],
+                                error_kw={"elinewidth": 0.8, "capsize": 2})
+                axes.bar_label(bar, [f"{ratio:.2f}"], padding=4, fontsize=7.5)
+                label = None
     axes.axvline(1, color=style.OWN, linewidth=1.2)
-    axes.set(yticks=range(len(names)), yticklabels=[f"{n}: {STRESS[n]}" for n in names],
+    axes.set(yticks=range(len(names)), yticklabels=[f"{n}: {CASES[n][3]}" for n in names],
              title=TITLE, xlabel="peer's trace time / ours (right of the line: we are faster)")
-    axes.set_xlim(0, axes.get_xlim()[1] * 1.22)
+    axes.set_xscale("log")
+    axes.set_xlim(axes.get_xlim()[0] / 1.1, axes.get_xlim()[1] * 1.4)
+    style.plain_ticks_of(axes.xaxis)
     axes.grid(axis="y", visible=False)
-    axes.legend(fontsize=8, loc="lower right")
-    return figure, ("Processor time of tracing, start-up left out; one thread, programs in turns, "
-                    f"medians of {data[NAME][0]['runs']:.0f} runs, whiskers: all pairs of runs. "
-                    "Tachyon has no tori and no glass, "
-                    "and samples half a pixel off; S4's checker is filtered "
-                    "by this program only. Figures: bench/results/speed.md")
-
-
-def line_of(scene, name, row, ratio, rays):
-    compared = name != "raytracer" and scene != "trivial"
-    cells = [scene, name, f"{row['time']:.3f} [{row['time_min']:.3f}, {row['time_max']:.3f}]",
-             f"{ratio:.2f}" if compared else "", rays, f"{row['user']:.2f}",
-             f"{row['memory'] / 1e6:.0f}", f"{100 * row['differing']:.2f}%" if compared else ""]
-    return "| " + " | ".join(cells) + " |"
+    axes.legend(fontsize=8)
+    return figure, (
+        "Processor time of tracing, start-up left out; one thread, programs in turns, medians of "
+        f"{data[NAME][0]['runs']:.0f} runs, whiskers: all pairs of runs. Tachyon has no tori and no "
+        "glass, and samples half a pixel off. POV-Ray's checkers are point-sampled. "
+        + speed_table.about_mitsuba(any("mitsuba" in p for p in cases.values())) + missing(cases)
+        + " Figures: bench/results/speed.md")
 
 
 def report(data, heading):
-    """bench/results/speed.md."""
-    lines = ["# Speed against other ray tracers", "", *[f"{line}  " for line in heading], "",
-             "Medians [least, largest] of runs in turns, one thread, one ray a pixel. Trace: "
-             "processor time of tracing by each program's own statistics (Tachyon states wall time; "
-             "where the process took less processor time than that, the latter). Differing: pixels "
-             "more than 2/255 (linear) away from ours; Tachyon samples half a pixel off, so that "
-             "edges and small things differ though the scene is the same; in S4 our checker is "
-             "filtered over the pixel, POV-Ray's is not.", "",
-             "| scene | program | trace, s | peer / ours | M rays/s | whole process, user s | memory, MB "
-             "| differing |", "|---|---|---|---|---|---|---|---|"]
-    ratios = {"povray": [], "tachyon": []}
-    for scene, programs in by_scene(data[NAME]).items():
-        for name, row in programs.items():
-            ratio = row["time"] / max(programs["raytracer"]["time"], 1e-9)
-            if name in ratios and scene != "trivial":
-                ratios[name].append(ratio)
-            rays = f"{row['rays'] / row['time'] / 1e6:.1f}" if row["rays"] and row["time"] else "-"
-            lines.append(line_of(scene, name, row, ratio, rays))
-    lines += ["", *[f"Median ratio to {n}: **{statistics.median(r):.2f}** over {len(r)} scenes.  "
-                    for n, r in ratios.items() if r], "", "## Our phases, seconds by the clock", "",
-              "| scene | script | plan | trace (processor) | write | whole process |",
-              "|---|---|---|---|---|---|"]
-    for scene, programs in by_scene(data[NAME]).items():
-        r = programs["raytracer"]
-        lines.append(f"| {scene} | {r['script']:.4f} | {r['plan']:.4f} | {r['time']:.3f} | "
-                     f"{r['write']:.3f} | {r['wall']:.2f} |")
-    lines += ["", "## Start-up: the trivial scene, 64x48", "",
-              "| program | user s | wall s [least, largest] |", "|---|---|---|"]
-    for name, r in by_scene(data[NAME])["trivial"].items():
-        lines.append(f"| {name} | {r['user']:.3f} | {r['wall']:.3f} [{r['wall_min']:.3f}, "
-                     f"{r['wall_max']:.3f}] |")
-    lines += ["", "Ours is mostly the loading of OpenImageIO, which writes the picture. POV-Ray "
-              "polls for its own end twice a second."]
-    return "speed.md", "\n".join(lines) + "\n"
+    return "speed.md", speed_table.page(by_scene(data[NAME]), heading, [*CASES], [*SOFT], LABELS)

@@ -5,6 +5,7 @@ import importlib.util
 import math
 import pathlib
 import sys
+import tempfile
 import unittest
 
 try:
@@ -17,7 +18,7 @@ except ModuleNotFoundError as missing:
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "bench"))
-from charting import curves, pictures, tables, torus  # noqa: E402
+from charting import curves, flip, pictures, speed_table, tables, torus  # noqa: E402
 
 loader = importlib.machinery.SourceFileLoader("chart_tool", str(ROOT / "tools/chart"))
 tool = importlib.util.module_from_spec(importlib.util.spec_from_loader("chart_tool", loader))
@@ -48,10 +49,62 @@ class Charting(unittest.TestCase):
         np.testing.assert_allclose(pictures.lab(np.array([1.0, 0, 0])), [53.24, 80.09, 67.20],
                                    atol=0.02)
 
+    def test_flip_of_plain_colours(self):
+        # Nothing has an edge, so that the paper's colour difference stands alone. Green and blue
+        # are its largest; L*a*b* of both as in any table of sRGB's primaries.
+        green, blue, black, white = (np.broadcast_to(np.array(c, float), (8, 9, 3)) for c in
+                                     ((0, 1, 0), (0, 0, 1), (0, 0, 0), (1, 1, 1)))
+        self.assertEqual(flip.mean_flip(green, green), 0)
+        self.assertAlmostEqual(flip.mean_flip(green, blue), 1)
+        (l1, a1, b1), (l2, a2, b2) = (87.737, -86.185, 83.181), (32.303, 79.197, -107.864)
+        largest = (l1 - l2 + math.hypot(0.01 * (l1 * a1 - l2 * a2), 0.01 * (l1 * b1 - l2 * b2))) ** 0.7
+        expected = 0.95 + 0.05 * (100 ** 0.7 / largest - 0.4) / 0.6
+        self.assertAlmostEqual(flip.mean_flip(black, white), expected, 4)
+
+    def test_flip_as_its_authors_program_reckons_it(self):
+        y, x = np.mgrid[0:48, 0:64]
+        one = np.stack([0.5 + 0.4 * np.sin(x / 5), (x > 30) * 0.8, 0.4 + 0.3 * np.cos(y / 3)], -1)
+        # flip-evaluator 1.7, of the same pictures encoded as sRGB.
+        self.assertAlmostEqual(flip.mean_flip(one, np.roll(one, 1, 1) * 0.9), 0.310793, 4)
+        bluer = one.copy()
+        bluer[..., 2] = np.roll(one[..., 2], 4, 0)
+        self.assertAlmostEqual(flip.mean_flip(one, bluer), 0.378012, 4)
+
+    def test_flip_weighs_edges_up(self):
+        # Blurred as the eye blurs, the colours differ by half as much at the step as beyond it; but
+        # there is an edge where there was none.
+        flat = np.full((40, 40, 3), 0.5)
+        step = flat.copy()
+        step[:, 20:] += 0.2
+        found = flip.flip(flat, step)
+        self.assertGreater(found[20, 20], 1.2 * found[20, 38])
+        self.assertLess(found[20, 2], 1e-6)
+
     def test_rmse_clamps_what_cannot_be_displayed(self):
         self.assertEqual(pictures.rmse(np.array([1.0, 5.0]), np.array([1.0, 9.0])), 0)
         self.assertAlmostEqual(pictures.rmse(np.array([0.0, 0.3]), np.array([0.0, 0.7])),
                                0.4 / math.sqrt(2))
+
+    def test_noise_is_told_from_a_difference(self):
+        noise = np.random.default_rng(1).normal(0, 0.05, (48, 64, 3))
+        grey = np.full((48, 64, 3), 0.5)
+        self.assertTrue(pictures.differ_by_noise(grey + noise, grey))
+        darker = grey.copy()
+        darker[8:24, 8:24] -= 0.05  # a thing in another light
+        self.assertFalse(pictures.differ_by_noise(darker + noise, grey))
+
+    def test_float_maps_are_read_from_the_bottom(self):
+        rows = np.arange(12, dtype="<f4").reshape(2, 2, 3)
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "a.pfm"
+            file.write_bytes(b"PF\n2 2\n-1.0\n" + rows[::-1].tobytes())
+            np.testing.assert_array_equal(pictures.read(file), rows)
+
+    def test_ratios_leave_out_what_is_not_the_same_picture(self):
+        cases = {scene: {"raytracer": {"time": 1.0}, "povray": {"time": time}}
+                 for scene, time in (("S1", 2.0), ("S2", 3.0), ("S4", 9.0))}
+        line, = speed_table.ratios(cases, ["S1", "S2"], {"povray": "POV-Ray", "tachyon": "Tachyon"})
+        self.assertIn("median **2.50**, 2.00 to 3.00 over 2 scenes", line)
 
     def test_slope_of_a_power(self):
         rows = [{"time": t, "rmse": 3 * t ** -0.75} for t in (1, 2, 7, 30)]

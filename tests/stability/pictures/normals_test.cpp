@@ -49,9 +49,7 @@ bool check(const Shape& shape, const Affine& placed, const Ray& in_model) {
   EXPECT_LE(glm::dot(seen.normal, ray.direction), 1e-12);
   // The outward normal and the image of the model's own are on one side of the surface, however
   // mirrored; and the images of tangents lie in it.
-  const PlannedInstance& instance = plan.instances[hit->instance];
-  const PlacementAt placement(instance, 0.0);
-  const SurfacePoint p = model_point(instance, *placement, ray, *hit);
+  const SurfacePoint p = model_point(plan, ray, *hit);
   const double side = seen.side == Leaving::outward ? 1 : -1;
   const auto image = [&](const Vec3& v) {
     const Vec3 w = placed.linear * v;
