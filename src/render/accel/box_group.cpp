@@ -56,6 +56,14 @@ void narrow(__m256 p, float q, __m256& enter, __m256& leave) {
 
 }  // namespace
 
+Bounds all_of(const std::vector<Bounds>& boxes) {
+  Bounds all;
+  for (const Bounds& b : boxes) {
+    all.extend(b);
+  }
+  return all;
+}
+
 unsigned BoxGroup::touched(const BoxShaft& shaft) const {
   __m256 enter = _mm256_setzero_ps();
   __m256 leave = _mm256_set1_ps(1.0F);
@@ -70,12 +78,10 @@ unsigned BoxGroup::touched(const BoxShaft& shaft) const {
   return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(enter, leave, _CMP_LE_OQ)));
 }
 
-BoxSpace::BoxSpace(const std::vector<Bounds>& boxes) {
-  Bounds all;
-  for (const Bounds& b : boxes) {
-    all.extend(b);
-  }
-  if (!boxes.empty()) {
+BoxSpace::BoxSpace(const std::vector<Bounds>& boxes) : BoxSpace(all_of(boxes)) {}
+
+BoxSpace::BoxSpace(const Bounds& all) {
+  if (!all.empty()) {
     centre_ = all.centre();
     const double half_edge = 0.5 * max_abs(all.extent());
     per_unit_ = half_edge > 0.0 ? 1.0 / half_edge : 1.0;
