@@ -22,11 +22,16 @@ double volume(const Bounds& b) {
 }
 
 /// The transmissive instances, by where their boxes begin in x.
-std::vector<Medium> media_of(const RenderPlan& plan, const std::vector<Bounds>& boxes) {
+std::vector<Medium> media_of(const RenderPlan& plan) {
   std::vector<Medium> media;
   for (std::uint32_t id = 0; id < plan.instances.size(); ++id) {
-    if (plan.materials[plan.instances[id].material].transmissive && !boxes[id].empty()) {
-      media.push_back({id, boxes[id], volume(boxes[id])});
+    const PlannedInstance& instance = plan.instances[id];
+    if (!plan.material_of(instance).transmissive) {
+      continue;
+    }
+    const Bounds box = box_of(plan, instance);
+    if (!box.empty()) {
+      media.push_back({id, box, volume(box)});
     }
   }
   std::ranges::sort(media, {}, [](const Medium& m) { return m.box.lo.x; });
@@ -35,8 +40,8 @@ std::vector<Medium> media_of(const RenderPlan& plan, const std::vector<Bounds>& 
 
 }  // namespace
 
-void find_media(RenderPlan& plan, const std::vector<Bounds>& boxes) {
-  const std::vector<Medium> media = media_of(plan, boxes);
+void find_media(RenderPlan& plan) {
+  const std::vector<Medium> media = media_of(plan);
   if (media.empty()) {
     return;
   }
@@ -47,10 +52,10 @@ void find_media(RenderPlan& plan, const std::vector<Bounds>& boxes) {
   std::vector<const Medium*> found;
   plan.media_ranges.resize(plan.instances.size());
   for (std::uint32_t id = 0; id < plan.instances.size(); ++id) {
-    const Bounds& box = boxes[id];
-    const bool wanted = plan.absorbs || plan.materials[plan.instances[id].material].transmissive;
+    const PlannedInstance& instance = plan.instances[id];
     found.clear();
-    if (wanted) {
+    if (plan.absorbs || plan.material_of(instance).transmissive) {
+      const Bounds box = box_of(plan, instance);
       // None that begins further left than the widest is wide can reach the box.
       auto m = std::ranges::lower_bound(media, box.lo.x - widest, {},
                                         [](const Medium& e) { return e.box.lo.x; });

@@ -6,7 +6,7 @@
 
 namespace rt {
 
-/// Fills RenderPlan::media and media_ranges. `boxes`: of all instances.
-void find_media(RenderPlan& plan, const std::vector<Bounds>& boxes);
+/// Fills RenderPlan::media and media_ranges, where anything is transmissive.
+void find_media(RenderPlan& plan);
 
 }  // namespace rt

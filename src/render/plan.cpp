@@ -59,8 +59,6 @@ class Planner {
     const std::size_t most = job_.instances.size() + job_.lights.size();
     plan_.instances.reserve(most);
     plan_.bounded.reserve(most);
-    all_boxes_.reserve(most);
-    boxes_.reserve(most);
     for (const Instance& instance : job_.instances) {
       place(instance);
     }
@@ -70,20 +68,8 @@ class Planner {
     if (plan_.absorbs) {
       let_clear_glass_dim();
     }
-    find_media(plan_, all_boxes_);
-    switch (search_for(plan_.options, boxes_.size())) {
-      case Search::tree:
-        plan_.tree = std::make_unique<BoxTree>(boxes_);
-        break;
-      case Search::list:
-        plan_.list = std::make_unique<BoxList>(boxes_);
-        break;
-      case Search::grid:
-        plan_.grid = std::make_unique<Grid>(boxes_);
-        break;
-      case Search::one_by_one:
-        break;
-    }
+    find_media(plan_);
+    choose_search();
     if (fixed_samples(plan_.options) == 0 && plan_.options.aa == AntiAliasing::adaptive) {
       plan_.thin = find_thin(plan_);
     }
@@ -99,6 +85,34 @@ class Planner {
 
   bool shutter_opens() const {
     return plan_.options.motion_blur && plan_.options.shutter_close > plan_.options.shutter_open;
+  }
+
+  void choose_search() {
+    const auto box = [this](std::uint32_t i) {
+      return box_of(plan_, plan_.instances[plan_.bounded[i]]);
+    };
+    const auto boxes = [&] {
+      std::vector<Bounds> all;
+      all.reserve(plan_.bounded.size());
+      for (std::uint32_t i = 0; i < plan_.bounded.size(); ++i) {
+        all.push_back(box(i));
+      }
+      return all;
+    };
+    switch (search_for(plan_.options, plan_.bounded.size())) {
+      case Search::tree:
+        // Boxes are made again, not kept: ten million of them are half a gigabyte.
+        plan_.tree = std::make_unique<BoxTree>(all_bounded_, plan_.bounded.size(), box);
+        break;
+      case Search::list:
+        plan_.list = std::make_unique<BoxList>(boxes());
+        break;
+      case Search::grid:
+        plan_.grid = std::make_unique<Grid>(boxes());
+        break;
+      case Search::one_by_one:
+        break;
+    }
   }
 
   void place(Light light) {
@@ -161,35 +175,26 @@ class Planner {
     to.shadow = shadow_of(plan_.material_of(to));
     plan_.dims |= to.shadow == Shadow::dims;
     const Bounds model_box = std::visit([](const auto& s) { return bounds(s); }, *from.shape);
-    const Bounds box = placed(from, model_box, to);
+    locate(from, model_box, to);
     const auto id = static_cast<std::uint32_t>(plan_.instances.size());
     plan_.instances.push_back(to);
-    all_boxes_.push_back(box);
+    const Bounds box = box_of(plan_, to);
     if (box.finite()) {
       plan_.bounded.push_back(id);
-      boxes_.push_back(box);
+      all_bounded_.extend(box);
     } else if (!model_box.empty()) {
       plan_.unbounded.push_back(id);
     }
   }
 
-  /// Sets where it is; its box.
-  Bounds placed(const Instance& from, const Bounds& model_box, PlannedInstance& to) {
-    const Placement here = at_open(from);
-    PlacementTable::Id id{};
-    Bounds box;
-    if (from.motion && shutter_opens()) {
-      PlannedMotion motion = moving(from, model_box);
-      box = motion.bounds(model_box);
-      id = plan_.placements.add(here, std::move(motion));
-      plan_.moves = true;
-    } else {
-      box = transformed(here.render_from_model, model_box);
-      id = plan_.placements.add(here);
-    }
+  void locate(const Instance& from, const Bounds& model_box, PlannedInstance& to) {
+    const bool moves = from.motion && shutter_opens();
+    plan_.moves |= moves;
+    const PlacementTable::Id id = moves
+                                      ? plan_.placements.add(at_open(from), moving(from, model_box))
+                                      : plan_.placements.add(at_open(from));
     to.map = id.kind;
     to.placement = id.index;
-    return box;
   }
 
   Placement at_open(const Instance& from) const {
@@ -339,8 +344,7 @@ class Planner {
   const RenderJob& job_;
   Vec3 eye_{0.0};  ///< when the shutter opens
   RenderPlan plan_;
-  std::vector<Bounds> boxes_;      ///< of plan_.bounded
-  std::vector<Bounds> all_boxes_;  ///< of all instances
+  Bounds all_bounded_;  ///< holds plan_.bounded
   std::vector<std::pair<std::shared_ptr<const Material>, std::shared_ptr<const TextureSet>>> kept_;
   double brightest_light_ = 0.0;
   std::map<MaterialUse, std::uint32_t> materials_;
@@ -352,6 +356,12 @@ class Planner {
 };
 
 }  // namespace
+
+Bounds box_of(const RenderPlan& plan, const PlannedInstance& instance) {
+  const Bounds box = plan.visit(instance, [](const auto& s) { return bounds(s); });
+  return instance.moves() ? plan.placements.motion(instance.placement).bounds(box)
+                          : transformed(plan.placement(instance).render_from_model, box);
+}
 
 CameraFrame frame_of(const Camera& camera, const RenderOptions& options) {
   const Vec3 forward = glm::normalize(camera.view / max_abs(camera.view));

@@ -141,6 +141,9 @@ struct RenderPlan {
   std::vector<std::uint32_t> media;
 };
 
+/// The instance's box in render space; where it moves, for all times.
+Bounds box_of(const RenderPlan& plan, const PlannedInstance& instance);
+
 /// Where an instance is at a time.
 class PlacementAt {
  public:

@@ -56,6 +56,14 @@ void narrow(const Floats& p, float q, Floats& enter, Floats& leave) {
 
 }  // namespace
 
+Bounds all_of(const std::vector<Bounds>& boxes) {
+  Bounds all;
+  for (const Bounds& b : boxes) {
+    all.extend(b);
+  }
+  return all;
+}
+
 unsigned BoxGroup::touched(const BoxShaft& shaft) const {
   Floats enter = 0.0F;
   Floats leave = 1.0F;
@@ -68,12 +76,10 @@ unsigned BoxGroup::touched(const BoxShaft& shaft) const {
   return bits_of(enter <= leave);
 }
 
-BoxSpace::BoxSpace(const std::vector<Bounds>& boxes) {
-  Bounds all;
-  for (const Bounds& b : boxes) {
-    all.extend(b);
-  }
-  if (!boxes.empty()) {
+BoxSpace::BoxSpace(const std::vector<Bounds>& boxes) : BoxSpace(all_of(boxes)) {}
+
+BoxSpace::BoxSpace(const Bounds& all) {
+  if (!all.empty()) {
     centre_ = all.centre();
     const double half_edge = 0.5 * max_abs(all.extent());
     per_unit_ = half_edge > 0.0 ? 1.0 / half_edge : 1.0;

@@ -89,6 +89,9 @@ struct BoxGroup {
   }
 };
 
+/// What holds all boxes.
+Bounds all_of(const std::vector<Bounds>& boxes);
+
 /// The map into [-1,1]^3, and what keeps float tests there from losing a box: rays and shafts are
 /// moved and scaled in double, those from further off start where they reach that cube, and boxes
 /// are enlarged by more than rounding can displace them (box_group.cpp). Holds for boxes that are
@@ -96,6 +99,8 @@ struct BoxGroup {
 class BoxSpace {
  public:
   BoxSpace() = default;
+  /// For boxes that `all` holds.
+  explicit BoxSpace(const Bounds& all);
   explicit BoxSpace(const std::vector<Bounds>& boxes);
 
   struct Box {

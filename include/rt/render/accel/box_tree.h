@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "rt/render/accel/box_group.h"
@@ -13,7 +14,9 @@ namespace rt {
 /// No candidate is lost (BoxSpace).
 class BoxTree {
  public:
+  /// Over box(i) for i < count, each asked for once, by several threads; `all` holds them all.
   /// Throws std::bad_alloc when memory runs out.
+  BoxTree(const Bounds& all, std::size_t count, const std::function<Bounds(std::uint32_t)>& box);
   explicit BoxTree(const std::vector<Bounds>& boxes);
 
   /// Calls visit(index) -> double for every box whose part 0 <= t <= t_max the ray may touch,
@@ -44,7 +47,7 @@ class BoxTree {
     }
     std::uint32_t stack[stack_size];
     int size = 0;
-    stack[size++] = 0;
+    stack[size++] = root_;
     while (size > 0) {
       const Node& node = nodes_[stack[--size]];
       for (unsigned hits = node.boxes.touched(*b); hits != 0; hits &= hits - 1) {
@@ -97,6 +100,7 @@ class BoxTree {
   }
 
   const BoxSpace& space() const { return space_; }
+  std::size_t bytes() const { return nodes_.size() * sizeof(Node); }
 
  private:
   static constexpr std::uint32_t leaf = 1U << 31;
@@ -112,14 +116,14 @@ class BoxTree {
     float near;
     std::uint32_t child;
   };
-  struct Builder;
+  class Builder;
 
   template <class Visit>
   void walk_from(const BoxRay& ray, double t_max, Visit& visit) const {
     Open stack[stack_size];
     int size = 0;
     float limit = ray.limit(t_max);
-    Open next{0.0F, 0};
+    Open next{0.0F, root_};
     for (;;) {
       if ((next.child & leaf) == 0) {
         size = open(nodes_[next.child], ray, limit, stack, size);
@@ -155,6 +159,7 @@ class BoxTree {
   }
 
   BoxSpace space_;
+  std::uint32_t root_ = 0;
   std::vector<Node> nodes_;
 };
 
