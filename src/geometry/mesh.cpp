@@ -54,6 +54,25 @@ bool coincident(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& o, doub
   return std::abs(glm::dot(normal, o - a)) <= error * glm::length(normal) + rounding;
 }
 
+/// Whether a ray that left triangle `left` to one side meets another from the opposite side before
+/// it has got clear of the error of its origin: it is then under the left triangle's plane by that
+/// error alone, and comes out beside an edge where it was out before.
+bool comes_out_again(const MeshData& mesh, const Corners& other, const Ray& ray, double t,
+                     const RayStart& start) {
+  const Corners& left = mesh.triangles[start.feature];
+  const auto normal_of = [&](const Corners& c) {
+    const Vec3& a = mesh.positions[c[0]];
+    return exact_cross(mesh.positions[c[1]] - a, mesh.positions[c[2]] - a);
+  };
+  const Vec3 normal = normal_of(left);
+  const double side = start.leaving == Leaving::outward ? 1 : -1;
+  if (!(side * glm::dot(normal_of(other), ray.direction) > 0)) {
+    return false;
+  }
+  const Vec3 from_left = ray.at(t) - mesh.positions[left[0]];
+  return side * glm::dot(normal, from_left) <= start.position_error * glm::length(normal);
+}
+
 /// Weights of the corners at a point of the triangle's plane, each in [0,1].
 struct Weights {
   double a, b, c;
@@ -116,6 +135,10 @@ OptionalHit intersect_triangle(const MeshData& mesh, std::uint32_t triangle, con
   const double depth = sa.depth.high + (sa.depth.low + beyond);
   const OptionalHit hit = hit_in_range(depth / view.main_part(ray.direction), triangle, t_max);
   if (hit && start.position_error > 0 && coincident(a, b, c, ray.origin, start.position_error)) {
+    return {};
+  }
+  if (hit && start.leaving != Leaving::nothing && start.position_error > 0 &&
+      comes_out_again(mesh, corners, ray, hit->t, start)) {
     return {};
   }
   return hit;

@@ -148,7 +148,7 @@ bool passes_an_edge(const Mesh& mesh, const Secondary& start, const Ray& ray,
 }
 
 void judge(const Placement& placement, const Secondary& start, const Affine& model,
-           const OptionalHit& hit, LeavingTally& tally) {
+           const OptionalHit& hit, Policy policy, LeavingTally& tally) {
   const Ray ray{model.point(start.origin_world), model.vector(start.direction_world)};
   const double length = glm::length(ray.direction);
   // The start is off the surface by its position error, and so is the far end of its chord.
@@ -164,10 +164,14 @@ void judge(const Placement& placement, const Secondary& start, const Affine& mod
       return;
     }
   }
-  // A chord as shallow as the error: whether the ray is inside at all is not known.
-  const double sine = std::abs(glm::dot(start.normal_world, start.direction_world));
-  const double nearest = std::min(hit ? hit->t : infinity, expected ? expected->t : infinity);
+  // A chord as shallow as the error: whether the ray is inside at all is not known. A mesh that
+  // knows the triangle left has no such excuse where there is no crossing: a hit so near is one of
+  // the neighbouring triangle.
   const Mesh* mesh = std::get_if<Mesh>(&placement.shape);
+  const double sine = std::abs(glm::dot(start.normal_world, start.direction_world));
+  const double nearest =
+      std::min(hit && (mesh == nullptr || policy == Policy::touching) ? hit->t : infinity,
+               expected ? expected->t : infinity);
   if (nearest * length * sine <= tolerance ||
       (mesh != nullptr && passes_an_edge(*mesh, start, ray, hit, tolerance))) {
     ++tally.below_resolution;
@@ -215,7 +219,7 @@ LeavingTally run_leaving(const Placement& placement, Policy policy, long count,
     if (start) {
       ++tally.rays;
       judge(placement, *start, model,
-            next_hit(placement.shape, *start, model, placement.scale, policy), tally);
+            next_hit(placement.shape, *start, model, placement.scale, policy), policy, tally);
     }
   }
   return tally;
