@@ -4,16 +4,39 @@
 
 namespace rt::lua {
 
-std::string location(lua_State* L) {
+namespace {
+
+/// Calls found(file, line) about the line being run, if there is one.
+template <class Found>
+void find_line(lua_State* L, Found found) {
   lua_Debug frame;
   for (int level = 0; lua_getstack(L, level, &frame) != 0; ++level) {
     lua_getinfo(L, "Sl", &frame);
     if (frame.currentline > 0) {
-      const char* file = frame.source[0] == '@' ? frame.source + 1 : frame.short_src;
-      return file + (':' + std::to_string(frame.currentline));  // for every node that is made
+      found(frame.source[0] == '@' ? frame.source + 1 : frame.short_src, frame.currentline);
+      return;
     }
   }
-  return {};
+}
+
+}  // namespace
+
+std::string location(lua_State* L) {
+  std::string text;
+  find_line(L, [&](const char* file, int line) { text = fmt::format("{}:{}", file, line); });
+  return text;
+}
+
+std::shared_ptr<const std::string> shared_location(lua_State* L) {
+  std::shared_ptr<const std::string> text;
+  find_line(L, [&](const char* file, int line) {
+    Context::Place& last = context(L).last_place;
+    if (line != last.line || file != last.file) {
+      last = {file, line, std::make_shared<const std::string>(fmt::format("{}:{}", file, line))};
+    }
+    text = last.text;
+  });
+  return text;
 }
 
 std::string at_location(lua_State* L, const std::string& otherwise, const std::string& text) {

@@ -47,6 +47,12 @@ struct Context {
   std::map<std::filesystem::path, std::shared_ptr<const TextureImage>> pictures = {};
   /// What has been said already, and will not be said again.
   std::set<std::string, std::less<>> said = {};
+  /// What shared_location() returned last, and of what.
+  struct Place {
+    std::string file;
+    int line = 0;
+    std::shared_ptr<const std::string> text;
+  } last_place = {};
   /// The files of what has been run, by the names that messages give them.
   std::map<std::string, std::filesystem::path> sources = {};
   /// Lua carries errors as texts; this keeps the exit codes of the latest that had their own.
@@ -74,6 +80,9 @@ inline Context& context(lua_State* L) { return *context_slot(L); }
 /// "scene.lua:12", the line being run: that of the innermost Lua function that called the running
 /// C function. Empty when there is none.
 std::string location(lua_State* L);
+
+/// The same, shared with the calls before it from the same line; null when there is none.
+std::shared_ptr<const std::string> shared_location(lua_State* L);
 
 /// "scene.lua:12: text"; where no line is being run, the name `otherwise` stands in its place.
 std::string at_location(lua_State* L, const std::string& otherwise, const std::string& text);

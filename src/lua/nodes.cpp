@@ -11,7 +11,7 @@ constexpr std::size_t bytes_of_node = sizeof(ChargedNode) + 48;
 std::shared_ptr<Node> new_node(lua_State* L, std::string name) {
   auto node = std::make_shared<ChargedNode>(context(L).memory);
   node->name = std::move(name);
-  node->where = location(L);
+  node->where = shared_location(L);
   charge(L, node->charge, bytes_of_node + node->name.size());
   return node;
 }

@@ -128,9 +128,9 @@ class Flattener {
     const auto model_from_world = inverse(world_from_model);
     if (!model_from_world) {
       throw SceneError(fmt::format(
-          "the transforms above and at node '{}'{} multiply to one that cannot be inverted: "
+          "the transforms above and at node {} multiply to one that cannot be inverted: "
           "their scales are too extreme or not finite",
-          node.name, node.where.empty() ? "" : " (" + node.where + ")"));
+          name_and_place(node)));
     }
     if (result_.instances.size() >= max_instances_) {
       refuse(node);

@@ -55,6 +55,11 @@ Node::~Node() {
   }
 }
 
+std::string name_and_place(const Node& node) {
+  return node.where ? fmt::format("'{}' ({})", node.name, *node.where)
+                    : fmt::format("'{}'", node.name);
+}
+
 void translate(Node& node, const Vec3& by, TransformOrder order) {
   require_finite(node, "translate", by);
   if (order == TransformOrder::pre) {

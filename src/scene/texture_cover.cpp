@@ -19,10 +19,6 @@ bool lacks_coordinates(const Shape& shape) {
   return mesh != nullptr && mesh->data->triangle_uvs.empty();
 }
 
-std::string place_of(const Node& node) {
-  return fmt::format("'{}'{}", node.name, node.where.empty() ? "" : " (" + node.where + ")");
-}
-
 }  // namespace
 
 std::shared_ptr<const TextureCover::Group> TextureCover::enter(
@@ -56,14 +52,14 @@ std::vector<std::string> TextureCover::warnings() const {
     texts.push_back(fmt::format(
         "the texture of node {} covers nothing{}: it has no shape, nor is there one below it that "
         "takes its material and textures from it",
-        place_of(*unseen.front()),
+        name_and_place(*unseen.front()),
         unseen.size() > 1 ? fmt::format(" (nor do those of {} more)", unseen.size() - 1) : ""));
   }
   if (mesh_without_coordinates_ != nullptr) {
     texts.push_back(fmt::format(
         "mesh {} has no texture coordinates, so that a picture on it shows one colour; an OBJ file "
         "gives them in lines 'vt' and faces 'f v/vt ...'",
-        place_of(*mesh_without_coordinates_)));
+        name_and_place(*mesh_without_coordinates_)));
   }
   return texts;
 }

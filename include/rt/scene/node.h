@@ -21,7 +21,8 @@ struct Node {
   Node& operator=(const Node&) = delete;
 
   std::string name;
-  std::string where;                     ///< script:line of its making, for messages
+  /// script:line of its making, for messages; null: not known. Nodes of one line share it.
+  std::shared_ptr<const std::string> where;
   Affine parent_from_node;               ///< maps this node's space into its parent's
   std::shared_ptr<const Motion> motion;  ///< of the node so placed, in its parent's space; or null
   std::shared_ptr<const Material> material;  ///< null: inherit the nearest ancestor's
@@ -32,6 +33,9 @@ struct Node {
   std::vector<std::shared_ptr<Node>> children;
   bool has_parent = false;  ///< has been added under some node; kept by add_child
 };
+
+/// The node's name in quotes and, where it is known, the place of its making: 'arm' (scene.lua:12).
+std::string name_and_place(const Node& node);
 
 /// How a node's transforms add up. Pre-multiplied, as in the course framework, a rotation after a
 /// translation turns the translated node about its parent's origin; post-multiplied, as in its
