@@ -40,9 +40,10 @@ void write(const Film& film, const std::string& file) {
   }
 }
 
-void run(const RenderPlan& plan, const Nesting& nesting, const std::string& file) {
+void run(const RenderJob& job, const Nesting& nesting, const std::string& file) {
+  const RenderPlan plan = make_plan(job);
   Film film(plan.options.width, plan.options.height);
-  NestedTracer tracer(plan, nesting);
+  NestedTracer tracer(job, plan, nesting);
   const double begin = thread_seconds();
   for (int y = 0; y < film.height; ++y) {
     for (int x = 0; x < film.width; ++x) {
@@ -68,8 +69,7 @@ int main(int argc, char** argv) try {
     rt::bench::set(job.options, argv[i]);
   }
   rt::with_threads(1, [&] {
-    rt::bench::run(rt::make_plan(job),
-                   {std::stoi(argv[3]), std::stoi(argv[4]), rt::bench::spread_of(argv[5])},
+    rt::bench::run(job, {std::stoi(argv[3]), std::stoi(argv[4]), rt::bench::spread_of(argv[5])},
                    argv[6]);
   });
 } catch (const std::exception& error) {

@@ -9,22 +9,22 @@
 namespace rt::bench {
 namespace {
 
-bool done_here(const RenderPlan& plan) {
-  bool simple = !plan.moving_camera && plan.camera.lens_radius == 0.0 && !plan.absorbs;
-  for (const PlannedInstance& instance : plan.instances) {
-    simple = simple && !instance.textures && !plan.materials[instance.material].transmissive;
+bool done_here(const RenderJob& job) {
+  bool simple = !job.camera.to && job.camera.aperture == 0.0;
+  for (const Instance& instance : job.instances) {
+    simple = simple && !instance.textures && instance.material->opacity == 1.0;
   }
   return simple;
 }
 
 }  // namespace
 
-NestedTracer::NestedTracer(const RenderPlan& plan, const Nesting& nesting)
+NestedTracer::NestedTracer(const RenderJob& job, const RenderPlan& plan, const Nesting& nesting)
     : plan_(plan),
       nesting_(nesting),
       side_(static_cast<int>(std::lround(std::sqrt(nesting.camera)))),
       cache_(plan) {
-  if (!done_here(plan)) {
+  if (!done_here(job)) {
     throw std::invalid_argument("no textures, glass, lenses or moving cameras");
   }
   if (side_ * side_ != nesting.camera) {

@@ -16,9 +16,9 @@ struct Nesting {
 /// several into its lobe, and so on down: a tree of rays where the renderer follows one path.
 class NestedTracer {
  public:
-  /// Throws std::invalid_argument where the scene has what is not done here: textures, glass,
-  /// lenses, moving cameras; or the nesting cannot be had.
-  NestedTracer(const RenderPlan& plan, const Nesting& nesting);
+  /// `plan`: of `job`. Throws std::invalid_argument where the scene has what is not done here:
+  /// textures, glass, lenses, moving cameras; or the nesting cannot be had.
+  NestedTracer(const RenderJob& job, const RenderPlan& plan, const Nesting& nesting);
 
   Rgb pixel(int x, int y);
   const RayCounts& counts() const { return counts_; }
