@@ -125,10 +125,12 @@ Wide clamp(const Wide& x, double lo, double hi) { return min(max(x, Wide(lo)), W
 
 }  // namespace
 
-WideMask may_meet(const Bounds& box, const WideRay& ray, const Wide& t_max) {
+WideMask may_meet(const Bounds& box, const WideRay& ray, const Wide& t_max,
+                  const Wide& position_error) {
   // Recentring moves a line by a few roundings of its origin, solving it by a few of the shape.
   const Wide room =
-      gamma(64) * (max_abs(ray.origin) + std::max(max_abs(box.lo), max_abs(box.hi)));
+      gamma(64) * (max_abs(ray.origin) + std::max(max_abs(box.lo), max_abs(box.hi))) +
+      position_error;
   Wide t_in(0.0);
   Wide t_out = t_max;
   const auto clip = [&](const Wide& origin, const Wide& direction, double lo, double hi) {

@@ -1,6 +1,7 @@
 #include "rt/render/direct_light.h"
 
 #include <cmath>
+#include <optional>
 
 #include "rt/math/rounding.h"
 #include "rt/math/spherical_rectangle.h"
@@ -103,9 +104,10 @@ Rgb dimmed(const RenderPlan& plan, const ShadingPoint& from, const Vec3& way, do
 
 namespace {
 
-/// What share of light `index` arrives at a point from `reach` away in direction `way` (unit): 0
-/// behind anything that blocks, less than 1 behind what dims.
-Rgb visibility(const RenderPlan& plan, std::size_t index, const ShadingPoint& from, const Vec3& way,
+/// What share of light `index` arrives at a point from `reach` away in direction `way` (unit): none
+/// behind anything that blocks, so that no light is too bright to be hidden, less than 1 behind what
+/// dims.
+std::optional<Rgb> visibility(const RenderPlan& plan, std::size_t index, const ShadingPoint& from, const Vec3& way,
                double reach, ShadowCache& cache, RayCounts& counts) {
   ++counts.shadow;
   const Candidates blockers = cache.towards(index, from.position);
@@ -114,7 +116,7 @@ Rgb visibility(const RenderPlan& plan, std::size_t index, const ShadingPoint& fr
                            occluded_by(plan, blockers.instances, leave(from, way), reach)
                      : occluded(plan, leave(from, way), reach);
   if (occluded_here) {
-    return Rgb(0.0);
+    return std::nullopt;
   }
   const bool may_dim = plan.dims && (plan.absorbs || !blockers.known || blockers.dims);
   return may_dim ? dimmed(plan, from, way, reach, counts) : Rgb(1.0);
@@ -140,7 +142,8 @@ Rgb direct_light(const RenderPlan& plan, std::size_t index, const Phong& phong,
   }
   // A surface through the light, as far as rounding can tell, does not shadow it.
   const double reach = s.distance - (point.position_error + gamma(4) * max_abs(light.position));
-  return value * visibility(plan, index, point, s.direction, reach, cache, counts);
+  const auto share = visibility(plan, index, point, s.direction, reach, cache, counts);
+  return share ? value * *share : Rgb(0.0);
 }
 
 }  // namespace rt

@@ -24,9 +24,14 @@ Wide3 direction(const CameraFrame& camera, const Wide& x, const Wide& y) {
 
 void PacketSampler::take(std::span<const PixelSample> wanted, std::span<std::optional<Rgb>> values,
                          RenderStatistics& statistics, SightCache& sight) {
-  for (std::size_t i = 0; i < wanted.size(); i += lanes) {
-    const std::size_t n = std::min<std::size_t>(lanes, wanted.size() - i);
+  for (std::size_t i = 0; i < wanted.size();) {
+    const std::size_t most = std::min<std::size_t>(lanes, wanted.size() - i);
+    std::size_t n = 1;
+    while (n < most && wanted[i + n].at_centre == wanted[i].at_centre) {
+      ++n;
+    }
     take_packet(wanted.subspan(i, n), values.subspan(i, n), statistics, sight);
+    i += n;
   }
 }
 

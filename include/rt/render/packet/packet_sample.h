@@ -13,6 +13,7 @@ class PacketSampler {
             RenderStatistics& statistics, SightCache& sight);
 
  private:
+  /// All at their pixels' centres, or none.
   void take_packet(std::span<const PixelSample> wanted, std::span<std::optional<Rgb>> values,
                    RenderStatistics& statistics, SightCache& sight);
   Candidates sight_of(SightCache& sight, const Wide2& places, unsigned count);

@@ -1,0 +1,146 @@
+// Samples taken several at a time are those taken one by one, bit for bit, and cost the same rays.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "packet_scenes.h"
+#include "rt/render/packet/packet_tracer.h"
+#include "rt/render/sample.h"
+
+namespace rt {
+namespace {
+
+constexpr AccelChoice searches[] = {AccelChoice::automatic, AccelChoice::none, AccelChoice::list,
+                                    AccelChoice::grid, AccelChoice::bvh};
+
+/// Every pixel: its centre where `centres`, else some samples.
+std::vector<PixelSample> wanted(const RenderJob& job, bool centres) {
+  std::vector<PixelSample> out;
+  for (int y = 0; y < job.options.height; ++y) {
+    for (int x = 0; x < job.options.width; ++x) {
+      for (std::uint32_t i = 0; i < (centres ? 1u : 3u); ++i) {  // no multiple of the lanes
+        out.push_back({x, y, i, centres});
+      }
+    }
+  }
+  return out;
+}
+
+struct Taken {
+  std::vector<std::optional<Rgb>> values;
+  RenderStatistics statistics;
+};
+
+Taken together(const RenderPlan& plan, const std::vector<PixelSample>& samples) {
+  Taken out{std::vector<std::optional<Rgb>>(samples.size()), {}};
+  PixelSampler sampler(plan);
+  sampler.take_all(samples, out.values, out.statistics);
+  return out;
+}
+
+Taken one_by_one(const RenderPlan& plan, const std::vector<PixelSample>& samples) {
+  Taken out;
+  PixelSampler one(plan);
+  for (const PixelSample& s : samples) {
+    const Sampler sampler(plan.options.seed, s.x, s.y, s.index);
+    out.values.push_back(s.at_centre ? one.take_at(s.x, s.y, Vec2(0.5), sampler, out.statistics)
+                                     : one.take(s.x, s.y, sampler, out.statistics));
+  }
+  return out;
+}
+
+void expect_equal(const RenderPlan& plan, const std::vector<PixelSample>& samples,
+                  const std::string& what) {
+  const Taken many = together(plan, samples);
+  const Taken one = one_by_one(plan, samples);
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (many.values[i] != one.values[i] && wrong++ == 0) {
+      ADD_FAILURE() << what << ": sample " << samples[i].index << " of pixel " << samples[i].x
+                    << ", " << samples[i].y;
+    }
+  }
+  EXPECT_EQ(wrong, 0u) << what << ", of " << samples.size();
+  EXPECT_EQ(many.statistics.rays.camera, one.statistics.rays.camera) << what;
+  EXPECT_EQ(many.statistics.rays.shadow, one.statistics.rays.shadow) << what;
+  EXPECT_EQ(many.statistics.rays.reflection, one.statistics.rays.reflection) << what;
+  EXPECT_EQ(many.statistics.rays.refraction, one.statistics.rays.refraction) << what;
+  EXPECT_EQ(many.statistics.samples, one.statistics.samples) << what;
+  EXPECT_EQ(many.statistics.bad_samples, one.statistics.bad_samples) << what;
+}
+
+class PacketSamples : public ::testing::TestWithParam<test::PacketScene> {};
+
+TEST_P(PacketSamples, AreThoseTakenOneByOne) {
+  for (const AccelChoice accel : searches) {
+    RenderJob job = GetParam().job;
+    job.options.accel = accel;
+    const RenderPlan plan = make_plan(job);
+    ASSERT_TRUE(PacketTracer::serves(plan));
+    for (const bool centres : {false, true}) {
+      expect_equal(
+          plan, wanted(job, centres),
+          "search " + std::to_string(static_cast<int>(accel)) + (centres ? ", centres" : ""));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, PacketSamples, ::testing::ValuesIn(test::packet_scenes()),
+                         [](const auto& scene) {
+                           std::string name = scene.param.name;
+                           std::ranges::replace(name, ' ', '_');
+                           return name;
+                         });
+
+// Any two samples may be neighbours.
+TEST(PacketSample, CentresAndOthersMix) {
+  const RenderJob job = test::gloss_scene();
+  std::vector<PixelSample> samples = wanted(job, false);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples[i].at_centre = i % 3 == 1;
+  }
+  expect_equal(make_plan(job), samples, "mixed");
+}
+
+TEST(PacketSample, SamplesFarApart) {
+  const RenderJob job = test::glass_scene();
+  std::vector<PixelSample> samples = wanted(job, false);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    std::swap(samples[i], samples[(i * 7919) % samples.size()]);
+  }
+  expect_equal(make_plan(job), samples, "shuffled");
+}
+
+TEST(PacketSample, WhatIsNotFiniteStaysInItsSample) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    RenderJob job = test::glass_scene();
+    test::add(job, Sphere{{0.3, 1.2, 0.5}, 0.1}, {}, test::glowing({0.1, bad, 0.2}));
+    RenderJob light = test::glass_scene();
+    light.lights[0].colour.g = bad;
+    RenderJob dark = test::coincident_scene();  // bright without end, but for shadows
+    dark.lights[0].falloff = {0, 0, 0};
+    for (const RenderJob& one : {job, light, dark}) {
+      expect_equal(make_plan(one), wanted(one, false), "bad");
+    }
+  }
+}
+
+TEST(PacketSample, OtherScenesGoOneByOne) {
+  RenderJob absorbs = test::glass_scene();
+  Material green = test::glass(1.5);
+  green.absorption = {0.5, 0.1, 0.5};
+  test::add(absorbs, Sphere{}, {}, green);
+  RenderJob moves = test::glass_scene();
+  moves.lights[0].travel = {1, 0, 0};
+  RenderJob filters = test::textured_scene();
+  filters.options.texture_filter = true;
+  for (const RenderJob& job : {absorbs, moves, filters}) {
+    const RenderPlan plan = make_plan(job);
+    EXPECT_FALSE(PacketTracer::serves(plan));
+    expect_equal(plan, wanted(job, false), "one by one");
+  }
+}
+
+}  // namespace
+}  // namespace rt

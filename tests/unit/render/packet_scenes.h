@@ -1,0 +1,32 @@
+#pragma once
+/// Scenes with all that packets serve, for comparison with one ray at a time.
+#include <string>
+#include <vector>
+
+#include "pictures.h"
+#include "probe.h"
+
+namespace rt::test {
+
+struct PacketScene {
+  std::string name;
+  RenderJob job;
+};
+
+/// Balls, a box and a torus of glass: in each other, touching, half opaque, with gloss.
+RenderJob glass_scene();
+/// Mirrors that spread, under a spherical and a rectangular light.
+RenderJob gloss_scene();
+/// Pictures, checkers, bumps and normal maps, read at points.
+RenderJob textured_scene();
+/// Meshes whose shading normals are not the geometric ones: mirror, glass and matt.
+RenderJob mesh_scene();
+/// Surfaces that coincide: equal balls, boxes face to face, a box on a plane.
+RenderJob coincident_scene();
+/// More shapes than a list holds, turned, stretched and mirrored.
+RenderJob crowded_scene();
+
+/// All of these and variations: a lens, a camera far away, lights in odd places.
+std::vector<PacketScene> packet_scenes();
+
+}  // namespace rt::test
