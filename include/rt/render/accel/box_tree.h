@@ -73,7 +73,7 @@ class BoxTree {
     } stack[stack_size];
     int size = 0;
     if (!nodes_.empty()) {
-      stack[size++] = {0.0F, 0, rays.active()};
+      stack[size++] = {0.0F, root_, rays.active()};
     }
     while (size > 0) {
       const auto next = stack[--size];
