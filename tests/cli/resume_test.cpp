@@ -87,10 +87,10 @@ class Resumed : public ProgramTest {
 TEST_F(Resumed, PicturesAreThoseOfAnUninterruptedRun) {
   expect_equal("--samples 200");
   expect_equal("--samples 100 -t 1");
-  expect_equal("--max-error 0.005");
-  expect_equal("--max-error 0.006 -t 1 --crop 30,20,130,110");
+  expect_equal("--max-error 0.001");
+  expect_equal("--max-error 0.0015 -t 1 --crop 30,20,130,110");
   expect_equal("--aa corners");
-  expect_equal("--max-error 0.005 --time-limit 1000");
+  expect_equal("--max-error 0.001 --time-limit 1000");
 }
 
 TEST_F(Resumed, TheMessageSaysWhereEverythingIsAndHowToGoOn) {
@@ -106,11 +106,11 @@ TEST_F(Resumed, TheMessageSaysWhereEverythingIsAndHowToGoOn) {
 }
 
 TEST_F(Resumed, ManyInterruptionsMakeNoDifference) {
-  ASSERT_EQ(run("scene.lua -q --max-error 0.005 -o whole.png").exit_code, 0);
+  ASSERT_EQ(run("scene.lua -q --max-error 0.001 -o whole.png").exit_code, 0);
   int interruptions = 0;
   for (Outcome o{130, {}, {}}; o.exit_code == 130; ++interruptions) {
     ASSERT_LT(interruptions, 100);
-    Running program(folder_, "scene.lua -q --max-error 0.005 --resume");
+    Running program(folder_, "scene.lua -q --max-error 0.001 --resume");
     std::this_thread::sleep_for(100ms + 10ms * interruptions);
     program.signal(SIGINT);
     o = program.wait();
