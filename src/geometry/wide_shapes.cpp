@@ -11,8 +11,9 @@ WideMask in_range(const Wide& t, const Wide& t_max) {
 }
 
 /// As first_hit(): the first end of a chord ahead of the origin.
-[[gnu::always_inline]] inline WideHit first_end(const WideMask& crossed, const WideMask& undecided, const Wide& t_in,
-                  const Wide& in, const Wide& t_out, const Wide& out, const Wide& t_max) {
+[[gnu::always_inline]] inline WideHit first_end(const WideMask& crossed, const WideMask& undecided,
+                                                const Wide& t_in, const Wide& in, const Wide& t_out,
+                                                const Wide& out, const Wide& t_max) {
   const WideMask ahead = t_in > 0.0;
   const Wide t = select(ahead, t_in, t_out);
   return {crossed && !undecided && t_in <= t_out && in_range(t, t_max), undecided, t,
@@ -88,9 +89,8 @@ struct WideChord {
     const WideMask slanted = rising || direction < 0.0;
     const Wide near = select(rising, Wide(lo), Wide(hi));
     const Wide far = select(rising, Wide(hi), Wide(lo));
-    clip(slanted, (near - origin) / direction,
-         select(rising, Wide(lo_feature), Wide(hi_feature)), (far - origin) / direction,
-         select(rising, Wide(hi_feature), Wide(lo_feature)));
+    clip(slanted, (near - origin) / direction, select(rising, Wide(lo_feature), Wide(hi_feature)),
+         (far - origin) / direction, select(rising, Wide(hi_feature), Wide(lo_feature)));
     outside = outside || (!slanted && !(origin >= lo && origin <= hi));
   }
 };
@@ -128,9 +128,8 @@ Wide clamp(const Wide& x, double lo, double hi) { return min(max(x, Wide(lo)), W
 WideMask may_meet(const Bounds& box, const WideRay& ray, const Wide& t_max,
                   const Wide& position_error) {
   // Recentring moves a line by a few roundings of its origin, solving it by a few of the shape.
-  const Wide room =
-      gamma(64) * (max_abs(ray.origin) + std::max(max_abs(box.lo), max_abs(box.hi))) +
-      position_error;
+  const Wide room = gamma(64) * (max_abs(ray.origin) + std::max(max_abs(box.lo), max_abs(box.hi))) +
+                    position_error;
   Wide t_in(0.0);
   Wide t_out = t_max;
   const auto clip = [&](const Wide& origin, const Wide& direction, double lo, double hi) {
@@ -173,8 +172,8 @@ WideHit intersect(const Sphere& shape, const WideRay& ray, const Wide& t_max,
 }
 
 WideHit leave_inward(const Sphere& shape, const WideRay& ray, const Wide& t_max) {
-  const Wide t = -2 * dot(from_centre(shape, ray).origin, ray.direction) /
-                 dot(ray.direction, ray.direction);
+  const Wide t =
+      -2 * dot(from_centre(shape, ray).origin, ray.direction) / dot(ray.direction, ray.direction);
   const Wide out = select(t <= 0.0, Wide(std::numeric_limits<double>::min()), t);
   return {in_range(out, t_max), WideMask(false), out, Wide(0.0)};
 }
@@ -238,8 +237,7 @@ WideHit intersect(const Cylinder&, const WideRay& ray, const Wide& t_max,
   WideChord chord;
   chord.clip(half >= 0.0, middle - half, side, middle + half, side);
   chord.clip_slab(line.origin.y, d.y, 0, 1.0, 1, 2.0);
-  const WideMask crossed =
-      good && half >= 0.0 && !chord.outside && chord.t_in <= chord.t_out;
+  const WideMask crossed = good && half >= 0.0 && !chord.outside && chord.t_in <= chord.t_out;
   undecided = good && undecided;
   if (any(crossed) && any(position_error > 0.0)) {  // where the origin may lie on the cylinder
     const Wide3& o = ray.origin;
@@ -274,8 +272,8 @@ WideSurfacePoint surface_point(const Box& shape, const WideRay& ray, const Wide&
                                const Wide& feature) {
   const Wide3 at = fused_at(ray.origin, ray.direction, t);
   const auto placed = [&](const Wide& p, double lo, double hi, double face) {
-    return select(feature == face, Wide(lo), select(feature == face + 1.0, Wide(hi),
-                                                    clamp(p, lo, hi)));
+    return select(feature == face, Wide(lo),
+                  select(feature == face + 1.0, Wide(hi), clamp(p, lo, hi)));
   };
   const auto normal = [&](double face) {
     return select(feature == face, Wide(-1.0), select(feature == face + 1.0, Wide(1.0), Wide(0.0)));
@@ -295,11 +293,10 @@ WideSurfacePoint surface_point(const Cylinder&, const WideRay& ray, const Wide& 
   const WideMask side = feature == 0.0;
   const WideMask top = feature == 2.0;
   const Wide cap = select(top, Wide(1.0), Wide(0.0));
-  return {{select(side, cosine, p.x), select(side, clamp(p.y, 0.0, 1.0), cap),
-           select(side, sine, p.z)},
-          {select(side, cosine, Wide(0.0)),
-           select(side, Wide(0.0), select(top, Wide(1.0), Wide(-1.0))),
-           select(side, sine, Wide(0.0))}};
+  return {
+      {select(side, cosine, p.x), select(side, clamp(p.y, 0.0, 1.0), cap), select(side, sine, p.z)},
+      {select(side, cosine, Wide(0.0)), select(side, Wide(0.0), select(top, Wide(1.0), Wide(-1.0))),
+       select(side, sine, Wide(0.0))}};
 }
 
 }  // namespace rt

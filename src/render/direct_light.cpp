@@ -105,10 +105,11 @@ Rgb dimmed(const RenderPlan& plan, const ShadingPoint& from, const Vec3& way, do
 namespace {
 
 /// What share of light `index` arrives at a point from `reach` away in direction `way` (unit): none
-/// behind anything that blocks, so that no light is too bright to be hidden, less than 1 behind what
-/// dims.
-std::optional<Rgb> visibility(const RenderPlan& plan, std::size_t index, const ShadingPoint& from, const Vec3& way,
-               double reach, ShadowCache& cache, RayCounts& counts) {
+/// behind anything that blocks, so that no light is too bright to be hidden, less than 1 behind
+/// what dims.
+std::optional<Rgb> visibility(const RenderPlan& plan, std::size_t index, const ShadingPoint& from,
+                              const Vec3& way, double reach, ShadowCache& cache,
+                              RayCounts& counts) {
   ++counts.shadow;
   const Candidates blockers = cache.towards(index, from.position);
   const bool occluded_here =

@@ -58,8 +58,8 @@ WideSurfacePoint surface_point(const Torus& shape, const WideRay& ray, const Wid
                                const Wide& feature);
 
 /// The lanes whose ray may cross what lies in the box, before t_max: no crossing that a shape's
-/// scalar function would report is lost. `position_error`: as above; a ray that stands for one on the
-/// surface may be taken to have gone in, though it passes the box by.
+/// scalar function would report is lost. `position_error`: as above; a ray that stands for one on
+/// the surface may be taken to have gone in, though it passes the box by.
 WideMask may_meet(const Bounds& box, const WideRay& ray, const Wide& t_max,
                   const Wide& position_error);
 

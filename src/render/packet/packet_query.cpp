@@ -104,8 +104,9 @@ class WideNearest {
     PacketHits out{t_, feature_, {}};
     for (std::size_t i = 0; i < lanes; ++i) {
       const double rank = rank_[i];
-      out.instance[i] = rank == inf ? no_instance
-                                    : static_cast<std::uint32_t>(rank < clear ? rank : rank - clear);
+      out.instance[i] = rank == inf
+                            ? no_instance
+                            : static_cast<std::uint32_t>(rank < clear ? rank : rank - clear);
     }
     return out;
   }

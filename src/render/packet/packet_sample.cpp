@@ -57,8 +57,8 @@ Candidates PacketSampler::sight_of(SightCache& sight, const Wide2& places, unsig
 }
 
 void PacketSampler::take_packet(std::span<const PixelSample> wanted,
-                               std::span<std::optional<Rgb>> values,
-                               RenderStatistics& statistics, SightCache& sight) {
+                                std::span<std::optional<Rgb>> values, RenderStatistics& statistics,
+                                SightCache& sight) {
   const RenderPlan& plan = plan_;
   const auto count = static_cast<unsigned>(wanted.size());
   const bool lens = plan.camera.lens_radius > 0.0;
@@ -95,7 +95,8 @@ void PacketSampler::take_packet(std::span<const PixelSample> wanted,
     camera.ray.direction.set(i, ray.direction);
   }
   const Wide y = min(max(py, Wide(0.0)), Wide(1.0));
-  const Wide3 sum = tracer_.radiance(camera, y, sampler, statistics.rays, sight_of(sight, place, count));
+  const Wide3 sum =
+      tracer_.radiance(camera, y, sampler, statistics.rays, sight_of(sight, place, count));
   statistics.samples += count;
   for (unsigned i = 0; i < count; ++i) {
     const Rgb value = sum.lane(static_cast<int>(i));
