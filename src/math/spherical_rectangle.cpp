@@ -121,6 +121,11 @@ SphericalRectangle::Sample SphericalRectangle::sample(const Vec2& xi) const {
   return {corner_ + (x - x0_) * x_ + (y - y0_) * y_, 1.0 / solid_angle_};
 }
 
+SphericalRectangle::AtDistance1 SphericalRectangle::at_distance_1() const {
+  const Vec3 ahead = std::copysign(1.0, glm::dot(corner_, normal_)) * normal_;
+  return {x_, y_, ahead, x0_ / z_, x1_ / z_, y0_ / z_, y1_ / z_};
+}
+
 // dA = distance^2 / cos dOmega, and cos = z / distance.
 SphericalRectangle::Sample SphericalRectangle::sample_area(const Vec2& xi) const {
   const Vec3 to_point = corner_ + xi.x * u_ + xi.y * v_;

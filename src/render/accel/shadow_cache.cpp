@@ -113,7 +113,7 @@ void ShadowCache::fill(Entry& entry, const Bounds& cell, std::size_t light) cons
   }
 }
 
-Candidates ShadowCache::towards(std::size_t light, const Vec3& position) {
+Candidates ShadowCache::towards(std::size_t light, const Vec3& position, bool at_once) {
   if (table_.empty()) {
     return {};
   }
@@ -126,7 +126,9 @@ Candidates ShadowCache::towards(std::size_t light, const Vec3& position) {
   if (entry.key != cell.key) {
     entry = {};
     entry.key = cell.key;
-    return {};
+    if (!at_once) {
+      return {};
+    }
   }
   if (entry.state == State::unknown) {
     fill(entry, cell.bounds, light);

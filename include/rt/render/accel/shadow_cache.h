@@ -20,12 +20,15 @@ class ShadowCache {
  public:
   explicit ShadowCache(const RenderPlan& plan);
 
-  /// For shadow rays from `position` towards light `light`.
-  Candidates towards(std::size_t light, const Vec3& position);
+  /// How many are few.
+  static constexpr std::size_t most = 12;
+
+  /// For shadow rays from `position` towards light `light`. `at_once`: even when nobody has asked
+  /// in this cell before; then the answer is the same whatever was asked.
+  Candidates towards(std::size_t light, const Vec3& position, bool at_once = false);
 
  private:
   static constexpr std::size_t entries = 1024;
-  static constexpr std::size_t most = 12;
   enum class State : std::uint8_t { unknown, many, known };
 
   struct alignas(64) Entry {
