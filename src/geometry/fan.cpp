@@ -9,37 +9,56 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The interval of directions that the extreme points of a convex piece span. A point is origin + a
-/// start + b step, in direction s = b / a.
+double cross(const Vec2& u, const Vec2& v) { return u.x * v.y - u.y * v.x; }
+
+/// The directions that the extreme points of a convex piece span, which does not hold the origin:
+/// less than a half turn. A point is origin + a start + b step, in direction s = b / a.
 class Extremes {
  public:
   explicit Extremes(double nearest) : nearest_(nearest) {}
 
-  void add(double a, double b) {
-    const double s = b / a;
-    // Written so that NaN is not known either.
-    known_ = known_ && a > nearest_ && std::abs(s) < infinity;
-    lo_ = std::min(lo_, s);
-    hi_ = std::max(hi_, s);
+  void add(const Vec2& point) {
+    if (!any_) {
+      any_ = true;
+      first_ = last_ = point;
+    } else if (cross(first_, point) < 0.0) {
+      first_ = point;
+    } else if (cross(last_, point) > 0.0) {
+      last_ = point;
+    }
+    finite_ = finite_ && std::abs(point.x) < infinity && std::abs(point.y) < infinity;
   }
-  void unknown() { known_ = false; }
-  std::optional<Span> span() const { return known_ ? std::optional(Span{lo_, hi_}) : std::nullopt; }
+
+  std::optional<Span> span() const {
+    if (!any_) {
+      return Span{infinity, -infinity};
+    }
+    // The piece holds the way from its first point to its last. Written so that NaN is near.
+    const bool apart = cross(first_, last_) > nearest_ * glm::length(last_ - first_);
+    if (!(finite_ && apart)) {
+      return std::nullopt;
+    }
+    // What is not ahead (a > 0) lies beyond all s, or before all.
+    const double lo = first_.x > 0.0 ? first_.y / first_.x : std::copysign(infinity, first_.y);
+    const double hi = last_.x > 0.0 ? last_.y / last_.x : std::copysign(infinity, last_.y);
+    return Span{lo, hi};
+  }
 
  private:
   double nearest_;
-  bool known_ = true;
-  double lo_ = infinity;
-  double hi_ = -infinity;
+  bool any_ = false;
+  bool finite_ = true;
+  Vec2 first_{0.0}, last_{0.0};
 };
 
-/// Calls visit(x) for the real roots of p x^2 + 2 q x + r, without cancellation.
+/// Calls visit(x, y) for the real roots x / y of p x^2 + 2 q x + r, without cancellation.
 template <class Visit>
 void each_root(double p, double q, double r, Visit&& visit) {
   const double discriminant = q * q - p * r;
   if (discriminant > 0.0) {
     const double sum = -(q + std::copysign(std::sqrt(discriminant), q));
-    visit(sum / p);
-    visit(r / sum);
+    visit(sum, p);
+    visit(r, sum);
   }
 }
 
@@ -71,13 +90,15 @@ struct Conic {
 
 /// Where lines from the origin touch the conic: (a + s b)^2 = c (aa + 2 s ab + s^2 bb).
 void add_tangents(const Conic& q, const Round& round, const Fan& fan, Extremes& extremes) {
-  each_root(q.b * q.b - q.c * q.bb, q.a * q.b - q.c * q.ab, q.a * q.a - q.c * q.aa, [&](double s) {
-    const double t = -(q.a + s * q.b) / (q.aa + s * (2.0 * q.ab + s * q.bb));
-    const double y = fan.origin.y + t * (fan.start.y + s * fan.step.y);
-    if (!(y < round.lo || y > round.hi)) {
-      extremes.add(t, t * s);
-    }
-  });
+  each_root(q.b * q.b - q.c * q.bb, q.a * q.b - q.c * q.ab, q.a * q.a - q.c * q.aa,
+            [&](double x, double y) {
+              const Vec2 way{y, x};
+              const Vec2 point = way * (-(q.a * way.x + q.b * way.y) / q.along(way, way));
+              const double height = fan.origin.y + point.x * fan.start.y + point.y * fan.step.y;
+              if (!(height < round.lo || height > round.hi)) {
+                extremes.add(point);
+              }
+            });
 }
 
 /// Where the conic meets the plane y = height: the corners of a disc that closes the shape.
@@ -91,10 +112,8 @@ void add_corners(const Conic& q, const Fan& fan, double height, Extremes& extrem
   const Vec2 way{-rise.y, rise.x};
   const double half = q.along(foot, way) + q.a * way.x + q.b * way.y;
   const double at_foot = q.along(foot, foot) + 2.0 * (q.a * foot.x + q.b * foot.y) + q.c;
-  each_root(q.along(way, way), half, at_foot, [&](double t) {
-    const Vec2 corner = foot + t * way;
-    extremes.add(corner.x, corner.y);
-  });
+  each_root(q.along(way, way), half, at_foot,
+            [&](double x, double y) { extremes.add(foot + (x / y) * way); });
 }
 
 /// A solid of revolution bounded by round pieces, each above the other, and by discs.
@@ -162,8 +181,7 @@ std::optional<Span> stopped_by(const Box& box, const Fan& fan) {
       const Vec3& from = corners[k];
       const Vec3& to = corners[k | bit];
       if ((k & bit) == 0 && (from.z < 0.0) != (to.z < 0.0)) {
-        const Vec3 crossing = (from * to.z - to * from.z) / (to.z - from.z);
-        extremes.add(crossing.x, crossing.y);
+        extremes.add(Vec2(from * to.z - to * from.z) / (to.z - from.z));
       }
     }
   }

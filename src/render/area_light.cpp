@@ -96,30 +96,29 @@ class VisibleParts {
           *b.instance->shape, {b.origin, map.vector(line.start), map.vector(line.step), b.nearest});
       if (!span) {
         unknown(b.id);
-      } else if (span->lo < span->hi && span->lo < line.hi && span->hi > line.lo) {
+      } else if (span->lo < span->hi && span->lo < line.last && span->hi > line.first) {
         hidden[count++] = *span;
       }
     }
     std::sort(hidden.begin(), hidden.begin() + static_cast<std::ptrdiff_t>(count),
               [](const Span& a, const Span& b) { return a.lo < b.lo; });
-    double from = line.lo;
+    double from = line.first;
     for (std::size_t i = 0; i < count; ++i) {
-      add(from, hidden[i].lo);
+      add(from, std::min(hidden[i].lo, line.last));
       from = std::max(from, hidden[i].hi);
     }
-    add(from, line.hi);
+    add(from, line.last);
   }
 
-  /// The share of the line's angle.
-  double share() const { return angle_ / (line_.angle_to(line_.hi) - line_.angle_to(line_.lo)); }
+  double angle() const { return angle_; }
 
-  /// The mean of n.l over the line, where what is hidden counts as 0.
+  /// The integral of n.l over their angle.
   double cosine(const Vec3& n) const {
     double sum = 0.0;
     for (std::size_t i = 0; i < count_; ++i) {
       sum += line_.cosine_to(parts_[i].hi, n) - line_.cosine_to(parts_[i].lo, n);
     }
-    return sum / (line_.angle_to(line_.hi) - line_.angle_to(line_.lo));
+    return sum;
   }
 
   /// The direction at a share u in (0,1) of the visible angle.
@@ -194,52 +193,53 @@ std::optional<Rgb> area_light(const RenderPlan& plan, std::size_t index, const P
     return Rgb(0.0);
   }
   Blockers blockers = sorted(plan, candidates, point, *seen);
-  const bool wholly = seen->above(point.normal) && seen->above(n);
   const bool even = light.falloff.c1 == 0.0 && light.falloff.c2 == 0.0;
   const Vec3 mirrored_view = 2.0 * glm::dot(n, view) * n - view;
   const bool shiny =
       phong.ks != Rgb(0.0) && seen->largest_cosine(mirrored_view) > phong.least_r_dot_v;
-  const bool smooth = wholly && even && !shiny;
+  const bool smooth = even && !shiny;
+  const bool one_horizon = n == point.normal;
   const double dimming = falloff(light, glm::length(light.position - point.position));
 
   ++counts.shadow;
-  if (smooth && blockers.convex_count + blockers.other_count == 0 && !blockers.dims) {
-    return phong.kd * light.colour * (dimming * glm::dot(n, seen->mean_direction()));
+  const double mean = seen->mean_cosine(n);
+  if (smooth && one_horizon && blockers.convex_count + blockers.other_count == 0 &&
+      !blockers.dims) {
+    return phong.kd * light.colour * (dimming * mean);
   }
-  const Vec3 drawn = seen->sample(sampler.light(vertex));
-  Vec3 way = drawn;
-  double share = 1.0;
-  double cosine = glm::dot(n, seen->mean_direction());
-  if (blockers.convex_count > 0) {
-    const Vec2 along = across_edge(blockers, point, *seen);
-    const LightLine middle = seen->line(seen->middle(), along);
-    const double beta = VisibleParts(middle, blockers, [](std::uint32_t) {}).share();
-    const Vec2 through = seen->point_of(drawn);
-    const LightLine line = seen->line(through, along);
-    const VisibleParts parts(line, blockers, [&](std::uint32_t id) { blockers.add_other(id); });
-    const double first = line.angle_to(line.lo);
-    const double whole = line.angle_to(line.hi) - first;
-    share = parts.share();
-    cosine = parts.cosine(n) +
-             beta * (cosine - (line.cosine_to(line.hi, n) - line.cosine_to(line.lo, n)) / whole);
-    if (share > 0.0) {
-      way = parts.direction((line.angle_to(glm::dot(through, along)) - first) / whole);
+  const auto line_through = [&](const Vec2& place, const Vec2& along) {
+    LightLine line = seen->line(place, along);
+    line.clip(n);
+    if (!one_horizon) {
+      line.clip(point.normal);
     }
+    return line;
+  };
+  const Vec2 along = across_edge(blockers, point, *seen);
+  const LightLine middle = line_through(seen->middle(), along);
+  double beta = 0.0;
+  if (one_horizon) {
+    const double all = middle.cosine_to(middle.last, n) - middle.cosine_to(middle.first, n);
+    const double here = VisibleParts(middle, blockers, [](std::uint32_t) {}).cosine(n);
+    beta = all > 0.0 ? here / all : 0.0;
   }
-  Rgb sum(0.0);
-  if (wholly) {
-    sum = phong.kd * (dimming * cosine);
-  }
-  if (share > 0.0 && (!smooth || blockers.other_count > 0 || blockers.dims)) {
+  const Vec2 through = seen->point_of(seen->sample(sampler.light(vertex)));
+  const LightLine line = line_through(through, along);
+  const VisibleParts parts(line, blockers, [&](std::uint32_t id) { blockers.add_other(id); });
+  const double all =
+      line.first < line.last ? line.cosine_to(line.last, n) - line.cosine_to(line.first, n) : 0.0;
+  const double whole = line.angle_to(line.hi) - line.angle_to(line.lo);
+  const double cosine = parts.cosine(n) / whole + beta * (mean - all / whole);
+  Rgb sum = phong.kd * (dimming * cosine);
+  if (parts.angle() > 0.0 && (!smooth || blockers.other_count > 0 || blockers.dims)) {
+    const Vec3 way =
+        parts.direction((line.angle_to(glm::dot(through, along)) - line.angle_to(line.lo)) / whole);
     const double distance = seen->distance(way);
     const Candidates rest{true, blockers.dims, {blockers.others.data(), blockers.other_count}};
     const Rgb seen_share =
         visibility(plan, rest, point, way, free_distance(point, light, distance), counts);
-    Rgb there = reflected(phong, point, view, way) * seen_share * falloff(light, distance);
-    if (wholly) {
-      there -= phong.kd * (dimming * glm::dot(n, way));
-    }
-    sum += share * there;
+    const Rgb there = reflected(phong, point, view, way) * seen_share * falloff(light, distance);
+    sum += (there - phong.kd * (dimming * glm::dot(n, way))) * (parts.angle() / whole);
   }
   return sum * light.colour;
 }

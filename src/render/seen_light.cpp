@@ -1,6 +1,7 @@
 #include "rt/render/seen_light.h"
 
 #include <algorithm>
+#include <array>
 
 #include "rt/math/rounding.h"
 #include "rt/math/spherical_rectangle.h"
@@ -34,6 +35,18 @@ Vec3 mean_over(const SphericalRectangle::AtDistance1& r, double solid_angle) {
 }
 
 }  // namespace
+
+void LightLine::clip(const Vec3& n) {
+  const double at_start = glm::dot(n, start);
+  const double rise = glm::dot(n, step);
+  if (rise > 0.0) {
+    first = std::max(first, -at_start / rise);
+  } else if (rise < 0.0) {
+    last = std::min(last, -at_start / rise);
+  } else if (!(at_start > 0.0)) {
+    last = first;
+  }
+}
 
 // Of n.(start + s step) / sqrt(square + s^2), times the angle's density square / (square +
 // s^2)^(3/2).
@@ -93,6 +106,60 @@ bool SeenLight::above(const Vec3& n) const {
          0.0;
 }
 
+double SeenLight::mean_cosine(const Vec3& n) const {
+  if (above(n)) {
+    return glm::dot(n, mean_);
+  }
+  if (above(-n)) {
+    return 0.0;
+  }
+  const Vec3 local{glm::dot(n, x_), glm::dot(n, y_), glm::dot(n, z_)};
+  return rectangle_ ? rectangle_cosine(local) : disc_cosine(local);
+}
+
+// Lambert's sum over the edges of what stands above the horizon.
+double SeenLight::rectangle_cosine(const Vec3& local) const {
+  const std::array<Vec3, 4> corners{Vec3(lo_, 1.0), Vec3(hi_.x, lo_.y, 1.0), Vec3(hi_, 1.0),
+                                    Vec3(lo_.x, hi_.y, 1.0)};
+  std::array<Vec3, 5> kept;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec3& a = corners[i];
+    const Vec3& b = corners[(i + 1) % 4];
+    const double height = glm::dot(local, a);
+    const double next = glm::dot(local, b);
+    if (height >= 0.0) {
+      kept[count++] = a;
+    }
+    if ((height >= 0.0) != (next >= 0.0)) {
+      kept[count++] = (a * next - b * height) / (next - height);
+    }
+  }
+  double sum = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3& a = kept[i];
+    const Vec3& b = kept[(i + 1) % count];
+    const Vec3 normal = glm::cross(a, b);
+    const double length = glm::length(normal);
+    if (length > 0.0) {
+      sum += std::atan2(length, glm::dot(a, b)) * glm::dot(normal, local) / length;
+    }
+  }
+  return 0.5 * sum / rectangle_->solid_angle();
+}
+
+// A cap that the horizon cuts: Snyder, "Area light sources for real-time graphics", MSR-TR-96-11,
+// 1996, here per solid angle. r is the tangent of the cap's half-angle.
+double SeenLight::disc_cosine(const Vec3& local) const {
+  const double sine = std::sqrt(local.x * local.x + local.y * local.y);
+  const double x = 1.0 / radius_;
+  const double y = std::clamp(-x * local.z / sine, -1.0, 1.0);
+  const double z = sine * std::sqrt((1.0 - y) * (1.0 + y));
+  const double square = radius_ * radius_ / (1.0 + radius_ * radius_);
+  const double whole = 2.0 * pi * square / (1.0 + 1.0 / std::sqrt(1.0 + radius_ * radius_));
+  return ((local.z * std::acos(y) - x * z) * square + std::atan(z * radius_)) / whole;
+}
+
 // The light lies within a cone about its middle.
 double SeenLight::largest_cosine(const Vec3& n) const {
   const Vec2 half = rectangle_ ? 0.5 * (hi_ - lo_) : Vec2(radius_);
@@ -132,11 +199,13 @@ LightLine SeenLight::line(const Vec2& through, const Vec2& along) const {
   const Vec2 across{-along.y, along.x};
   const double offset = glm::dot(through, across);
   LightLine line(z_, across.x * x_ + across.y * y_, offset, along.x * x_ + along.y * y_);
-  clip(line, offset * across, along);
+  end(line, offset * across, along);
+  line.first = line.lo;
+  line.last = line.hi;
   return line;
 }
 
-void SeenLight::clip(LightLine& line, const Vec2& foot, const Vec2& along) const {
+void SeenLight::end(LightLine& line, const Vec2& foot, const Vec2& along) const {
   if (!rectangle_) {
     line.hi = std::sqrt(std::max(0.0, radius_ * radius_ - glm::dot(foot, foot)));
     line.lo = -line.hi;

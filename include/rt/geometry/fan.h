@@ -15,8 +15,8 @@ namespace rt {
 struct Fan {
   Vec3 origin;
   Vec3 start, step;
-  /// What lies nearer than this in t is too near for its direction to be known: the origin's own
-  /// error, and that of what is compared with it.
+  /// What may lie nearer than this, in t, is too near for its direction to be known: the origin's
+  /// own error, and that of what is compared with it.
   double nearest = 0.0;
 };
 
@@ -25,9 +25,8 @@ struct Span {
   double lo, hi;
 };
 
-/// The s whose rays meet the shape. Empty where that is not known to be one finite interval: for
-/// shapes that are not convex or have no such formula, from inside, from so near that some of the
-/// shape is not ahead (t > nearest). Then rays must tell.
+/// The s whose rays meet the shape; ends may be infinite. Empty where no formula tells: for shapes
+/// that are not convex, and from inside or as near as `nearest`. Then rays must.
 std::optional<Span> stopped(const Shape& shape, const Fan& fan);
 
 /// Whether stopped() can answer for this kind of shape at all.

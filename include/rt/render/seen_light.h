@@ -22,6 +22,11 @@ class LightLine {
 
   Vec3 start, step;
   double lo = 0.0, hi = 0.0;
+  /// What of (lo, hi) stands above horizons.
+  double first = 0.0, last = 0.0;
+
+  /// Lowers `last` or raises `first` to where n.direction >= 0.
+  void clip(const Vec3& n);
 
   /// Solid angle from s = 0, in units that are the line's own, and its inverse.
   double angle_to(double s) const { return s / std::sqrt(square_ + s * s); }
@@ -42,13 +47,13 @@ class SeenLight {
   /// close that the light fills half the sky, or all but edge-on.
   static std::optional<SeenLight> from(const Vec3& p, const Light& light);
 
-  /// The mean of the unit directions, uniform in solid angle.
-  const Vec3& mean_direction() const { return mean_; }
   /// What lies nearer than this along depth_axis() stands before the light.
   double depth() const { return depth_; }
   const Vec3& depth_axis() const { return z_; }
   /// Whether all of the light's directions l have n.l >= 0.
   bool above(const Vec3& n) const;
+  /// The mean of max(n.l, 0), uniform in solid angle.
+  double mean_cosine(const Vec3& n) const;
   /// No direction of the light has a larger cosine with the unit vector n.
   double largest_cosine(const Vec3& n) const;
 
@@ -67,7 +72,9 @@ class SeenLight {
   LightLine line(const Vec2& through, const Vec2& along) const;
 
  private:
-  void clip(LightLine& line, const Vec2& foot, const Vec2& along) const;
+  void end(LightLine& line, const Vec2& foot, const Vec2& along) const;
+  double rectangle_cosine(const Vec3& local) const;
+  double disc_cosine(const Vec3& local) const;
 
   std::optional<SphericalRectangle> rectangle_;  ///< none: a sphere
   Vec3 x_, y_, z_;
