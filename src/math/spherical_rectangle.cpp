@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rt/math/arctan.h"
 #include "rt/math/rounding.h"
 #include "rt/math/warp.h"
 
@@ -18,10 +19,10 @@ double edge_angle(double x, double y0, double y1, double height, double z) {
   const double r0 = std::sqrt(d2 + y0 * y0);
   const double r1 = std::sqrt(d2 + y1 * y1);
   if (!(y0 * y1 > 0.0)) {
-    return std::atan2(x * y1, z * r1) - std::atan2(x * y0, z * r0);
+    return arctan2(x * y1, z * r1) - arctan2(x * y0, z * r0);
   }
   const double rise = height * (y1 + y0) * (d2 / (y1 * r0 + y0 * r1));
-  return std::atan2(x * z * rise, z * r0 * (z * r1) + x * y0 * (x * y1));
+  return arctan2(x * z * rise, z * r0 * (z * r1) + x * y0 * (x * y1));
 }
 
 /// A triangle's solid angle, after van Oosterom and Strackee, "The solid angle of a plane
@@ -31,8 +32,8 @@ double triangle_solid_angle(const Vec3& a, const Vec3& b, const Vec3& c, double 
   const double la = glm::length(a);
   const double lb = glm::length(b);
   const double lc = glm::length(c);
-  return 2.0 * std::atan2(triple, la * lb * lc + glm::dot(a, b) * lc + glm::dot(a, c) * lb +
-                                      glm::dot(b, c) * la);
+  return 2.0 * arctan2(triple, la * lb * lc + glm::dot(a, b) * lc + glm::dot(a, c) * lb +
+                                   glm::dot(b, c) * la);
 }
 
 }  // namespace

@@ -102,6 +102,7 @@ class VisibleParts {
     }
     std::sort(hidden.begin(), hidden.begin() + static_cast<std::ptrdiff_t>(count),
               [](const Span& a, const Span& b) { return a.lo < b.lo; });
+    all_ = count == 0;
     double from = line.first;
     for (std::size_t i = 0; i < count; ++i) {
       add(from, std::min(hidden[i].lo, line.last));
@@ -111,6 +112,8 @@ class VisibleParts {
   }
 
   double angle() const { return angle_; }
+  /// Nothing is hidden.
+  bool all() const { return all_; }
 
   /// The integral of n.l over their angle.
   double cosine(const Vec3& n) const {
@@ -148,6 +151,7 @@ class VisibleParts {
   std::array<Span, most + 1> parts_;
   std::size_t count_ = 0;
   double angle_ = 0.0;
+  bool all_ = false;
 };
 
 /// The direction of lines: away from the middle of the blocker that hides most, so that they cross
@@ -215,30 +219,39 @@ std::optional<Rgb> area_light(const RenderPlan& plan, std::size_t index, const P
     }
     return line;
   };
+  // A control variate's factor: any number that depends on nothing random will do.
   const Vec2 along = across_edge(blockers, point, *seen);
-  const LightLine middle = line_through(seen->middle(), along);
   double beta = 0.0;
   if (one_horizon) {
-    const double all = middle.cosine_to(middle.last, n) - middle.cosine_to(middle.first, n);
-    const double here = VisibleParts(middle, blockers, [](std::uint32_t) {}).cosine(n);
-    beta = all > 0.0 ? here / all : 0.0;
+    const LightLine middle = line_through(seen->middle(), along);
+    const double all = middle.angle_to(middle.last) - middle.angle_to(middle.first);
+    const double here = VisibleParts(middle, blockers, [](std::uint32_t) {}).angle();
+    beta = here > 0.0 ? here / all : 0.0;
   }
   const Vec2 through = seen->point_of(seen->sample(sampler.light(vertex)));
   const LightLine line = line_through(through, along);
   const VisibleParts parts(line, blockers, [&](std::uint32_t id) { blockers.add_other(id); });
-  const double all =
-      line.first < line.last ? line.cosine_to(line.last, n) - line.cosine_to(line.first, n) : 0.0;
+  const bool asked = !smooth || blockers.other_count > 0 || blockers.dims;
+  if (!asked && parts.angle() == 0.0 && beta == 0.0) {
+    return Rgb(0.0);
+  }
   const double whole = line.angle_to(line.hi) - line.angle_to(line.lo);
-  const double cosine = parts.cosine(n) / whole + beta * (mean - all / whole);
+  double cosine = mean;
+  if (!(parts.all() && beta == 1.0)) {
+    const double lit =
+        line.first < line.last ? line.cosine_to(line.last, n) - line.cosine_to(line.first, n) : 0.0;
+    const double here = parts.all() ? lit : parts.cosine(n);
+    cosine = here / whole + beta * (mean - lit / whole);
+  }
   Rgb sum = phong.kd * (dimming * cosine);
-  if (parts.angle() > 0.0 && (!smooth || blockers.other_count > 0 || blockers.dims)) {
-    const Vec3 way =
-        parts.direction((line.angle_to(glm::dot(through, along)) - line.angle_to(line.lo)) / whole);
+  if (asked && parts.angle() > 0.0) {
+    const double u = (line.angle_to(glm::dot(through, along)) - line.angle_to(line.lo)) / whole;
+    const Vec3 way = parts.direction(u);
     const double distance = seen->distance(way);
     const Candidates rest{true, blockers.dims, {blockers.others.data(), blockers.other_count}};
-    const Rgb seen_share =
+    const Rgb arrived =
         visibility(plan, rest, point, way, free_distance(point, light, distance), counts);
-    const Rgb there = reflected(phong, point, view, way) * seen_share * falloff(light, distance);
+    const Rgb there = reflected(phong, point, view, way) * arrived * falloff(light, distance);
     sum += (there - phong.kd * (dimming * glm::dot(n, way))) * (parts.angle() / whole);
   }
   return sum * light.colour;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "rt/math/rounding.h"
+#include "rt/math/arctan.h"
 #include "rt/math/spherical_rectangle.h"
 #include "rt/math/warp.h"
 
@@ -16,7 +16,7 @@ constexpr double widest = 0x1p16;
 
 /// The angle that an edge from a to b subtends, at a distance from its line.
 double subtended(double a, double b, double distance) {
-  return std::atan2(distance * (b - a), distance * distance + a * b);
+  return arctan2(distance * (b - a), distance * distance + a * b);
 }
 
 /// The mean of unit directions over a rectangle at distance 1: half the sum of its edges' angles
@@ -53,7 +53,7 @@ void LightLine::clip(const Vec3& n) {
 double LightLine::cosine_to(double s, const Vec3& n) const {
   const double root = std::sqrt(square_);
   const double inverse = 1.0 / (square_ + s * s);
-  return 0.5 * (glm::dot(n, start) * (s * inverse + std::atan(s / root) / root) +
+  return 0.5 * (glm::dot(n, start) * (s * inverse + arctan2(s, root) / root) +
                 glm::dot(n, step) * (s * s * inverse));
 }
 
@@ -142,7 +142,7 @@ double SeenLight::rectangle_cosine(const Vec3& local) const {
     const Vec3 normal = glm::cross(a, b);
     const double length = glm::length(normal);
     if (length > 0.0) {
-      sum += std::atan2(length, glm::dot(a, b)) * glm::dot(normal, local) / length;
+      sum += arctan2(length, glm::dot(a, b)) * glm::dot(normal, local) / length;
     }
   }
   return 0.5 * sum / rectangle_->solid_angle();
@@ -157,7 +157,7 @@ double SeenLight::disc_cosine(const Vec3& local) const {
   const double z = sine * std::sqrt((1.0 - y) * (1.0 + y));
   const double square = radius_ * radius_ / (1.0 + radius_ * radius_);
   const double whole = 2.0 * pi * square / (1.0 + 1.0 / std::sqrt(1.0 + radius_ * radius_));
-  return ((local.z * std::acos(y) - x * z) * square + std::atan(z * radius_)) / whole;
+  return ((local.z * std::acos(y) - x * z) * square + arctan2(z * radius_, 1.0)) / whole;
 }
 
 // The light lies within a cone about its middle.
@@ -165,7 +165,7 @@ double SeenLight::largest_cosine(const Vec3& n) const {
   const Vec2 half = rectangle_ ? 0.5 * (hi_ - lo_) : Vec2(radius_);
   const Vec3 axis = glm::normalize(z_ + middle_.x * x_ + middle_.y * y_);
   // Distances in the plane bound those on the sphere.
-  const double reach = rectangle_ ? glm::length(half) : std::atan(radius_);
+  const double reach = rectangle_ ? glm::length(half) : arctan2(radius_, 1.0);
   const double angle = std::acos(std::clamp(glm::dot(n, axis), -1.0, 1.0)) - reach;
   return angle > 0.0 ? std::cos(angle) : 1.0;
 }
