@@ -38,9 +38,13 @@ class Extremes {
     if (!(finite_ && apart)) {
       return std::nullopt;
     }
-    // What is not ahead (a > 0) lies beyond all s, or before all.
-    const double lo = first_.x > 0.0 ? first_.y / first_.x : std::copysign(infinity, first_.y);
-    const double hi = last_.x > 0.0 ? last_.y / last_.x : std::copysign(infinity, last_.y);
+    // Of less than a half turn, what is ahead (a > 0) reaches to the end that is not, and beyond
+    // all s there.
+    if (!(first_.x > 0.0 || last_.x > 0.0)) {
+      return Span{infinity, -infinity};
+    }
+    const double lo = first_.x > 0.0 ? first_.y / first_.x : -infinity;
+    const double hi = last_.x > 0.0 ? last_.y / last_.x : infinity;
     return Span{lo, hi};
   }
 
@@ -165,6 +169,10 @@ std::optional<Span> stopped_by(const Blob&, const Fan& fan) {
 // The plane of the fan cuts those of the twelve edges whose ends lie on either side of it. The box
 // is the sum of three edges, so a corner's coordinates (a, b and its side) are sums of three terms.
 std::optional<Span> stopped_by(const Box& box, const Fan& fan) {
+  if (glm::all(glm::lessThanEqual(box.lo, fan.origin)) &&
+      glm::all(glm::lessThanEqual(fan.origin, box.hi))) {
+    return std::nullopt;  // inside
+  }
   const Vec3 normal = glm::cross(fan.start, fan.step);
   const double square = glm::dot(normal, normal);
   const Mat3 dual{glm::cross(fan.step, normal) / square, glm::cross(normal, fan.start) / square,

@@ -131,8 +131,8 @@ Rgb direct_light(const RenderPlan& plan, std::size_t index, const Phong& phong,
     return Rgb(0.0);
   }
   if (light.radius > 0.0 || light.rectangle) {
-    if (const auto sum =
-            area_light(plan, index, phong, point, view, sampler, vertex, cache, counts)) {
+    if (const auto sum = area_light(plan, index, phong, point, view, sampler, vertex, negligible,
+                                    cache, counts)) {
       return *sum;
     }
   }

@@ -26,6 +26,7 @@ double free_distance(const ShadingPoint& from, const Light& light, double distan
 /// where it does not apply.
 std::optional<Rgb> area_light(const RenderPlan& plan, std::size_t index, const Phong& phong,
                               const ShadingPoint& point, const Vec3& view, const Sampler& sampler,
-                              const Vertex& vertex, ShadowCache& cache, RayCounts& counts);
+                              const Vertex& vertex, double negligible, ShadowCache& cache,
+                              RayCounts& counts);
 
 }  // namespace rt

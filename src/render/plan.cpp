@@ -82,6 +82,9 @@ class Planner {
       case Search::one_by_one:
         break;
     }
+    if (extended_lights_ && !plan_.list && !plan_.tree && !boxes_.empty()) {
+      plan_.shaft_list = std::make_unique<BoxList>(boxes_);
+    }
     if (fixed_samples(plan_.options) == 0 && plan_.options.aa == AntiAliasing::adaptive) {
       plan_.thin = find_thin(plan_);
     }
@@ -106,6 +109,7 @@ class Planner {
     }
     const bool extended = light.radius > 0.0 || light.rectangle;
     plan_.random |= extended;
+    extended_lights_ |= extended;
     if (extended && light.visible) {
       place(shape_of(light));
       plan_.instances.back().shadow = Shadow::none;
@@ -308,6 +312,7 @@ class Planner {
   const RenderJob& job_;
   Vec3 eye_{0.0};  ///< when the shutter opens
   RenderPlan plan_;
+  bool extended_lights_ = false;
   std::vector<Bounds> boxes_;      ///< of plan_.bounded
   std::vector<Bounds> all_boxes_;  ///< of all instances
   std::vector<std::shared_ptr<const Material>> kept_;

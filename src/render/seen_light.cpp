@@ -191,36 +191,13 @@ Vec2 SeenLight::point_of(const Vec3& direction) const {
   return Vec2(glm::dot(direction, x_), glm::dot(direction, y_)) / glm::dot(direction, z_);
 }
 
-std::optional<Vec2> SeenLight::seen_at(const Vec3& from_p) const {
-  return glm::dot(from_p, z_) > 0.0 ? std::optional(point_of(from_p)) : std::nullopt;
-}
-
-LightLine SeenLight::line(const Vec2& through, const Vec2& along) const {
-  const Vec2 across{-along.y, along.x};
-  const double offset = glm::dot(through, across);
-  LightLine line(z_, across.x * x_ + across.y * y_, offset, along.x * x_ + along.y * y_);
-  end(line, offset * across, along);
-  line.first = line.lo;
-  line.last = line.hi;
-  return line;
-}
-
-void SeenLight::end(LightLine& line, const Vec2& foot, const Vec2& along) const {
-  if (!rectangle_) {
-    line.hi = std::sqrt(std::max(0.0, radius_ * radius_ - glm::dot(foot, foot)));
-    line.lo = -line.hi;
-    return;
+LightLine SeenLight::line(const Vec2& through) const {
+  const Vec3 start = z_ + through.y * y_;
+  if (rectangle_) {
+    return {start, x_, lo_.x, hi_.x};
   }
-  line.lo = -std::numeric_limits<double>::infinity();
-  line.hi = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < 2; ++k) {
-    if (along[k] != 0.0) {
-      const double a = (lo_[k] - foot[k]) / along[k];
-      const double b = (hi_[k] - foot[k]) / along[k];
-      line.lo = std::max(line.lo, std::min(a, b));
-      line.hi = std::min(line.hi, std::max(a, b));
-    }
-  }
+  const double half = std::sqrt(std::max(0.0, (radius_ - through.y) * (radius_ + through.y)));
+  return {start, x_, -half, half};
 }
 
 }  // namespace rt

@@ -60,7 +60,7 @@ ShadowCache::ShadowCache(const RenderPlan& plan) : plan_(plan), fineness_(finene
   for (const Light& light : plan.lights) {
     lights_.push_back(box_of(light));
   }
-  if (plan.list || plan.tree) {
+  if (plan.list || plan.tree || plan.shaft_list || plan.bounded.empty()) {
     table_.resize(entries);
   }
 }
@@ -108,7 +108,15 @@ void ShadowCache::fill(Entry& entry, const Bounds& cell, std::size_t light) cons
     }
   }
   const auto add_box = [&](std::uint32_t index) { return add(entry, plan_.bounded[index]); };
-  if (!(plan_.list ? plan_.list->each_in(shaft, add_box) : plan_.tree->each_in(shaft, add_box))) {
+  // Shafts from afar are not followed; then it is the light that is near.
+  const auto each_in = [&](const auto& boxes) {
+    return boxes.each_in(shaft, add_box) || boxes.each_in({shaft.to, shaft.from}, add_box);
+  };
+  const BoxList* list = plan_.list ? plan_.list.get() : plan_.shaft_list.get();
+  if (list == nullptr && !plan_.tree) {
+    return;  // there are no boxes
+  }
+  if (!(list != nullptr ? each_in(*list) : each_in(*plan_.tree))) {
     entry.state = State::many;
   }
 }
