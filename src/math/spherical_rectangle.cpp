@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rt/math/arctan.h"
 #include "rt/math/rounding.h"
 #include "rt/math/warp.h"
 
@@ -18,10 +19,10 @@ double edge_angle(double x, double y0, double y1, double height, double z) {
   const double r0 = std::sqrt(d2 + y0 * y0);
   const double r1 = std::sqrt(d2 + y1 * y1);
   if (!(y0 * y1 > 0.0)) {
-    return std::atan2(x * y1, z * r1) - std::atan2(x * y0, z * r0);
+    return arctan2(x * y1, z * r1) - arctan2(x * y0, z * r0);
   }
   const double rise = height * (y1 + y0) * (d2 / (y1 * r0 + y0 * r1));
-  return std::atan2(x * z * rise, z * r0 * (z * r1) + x * y0 * (x * y1));
+  return arctan2(x * z * rise, z * r0 * (z * r1) + x * y0 * (x * y1));
 }
 
 /// A triangle's solid angle, after van Oosterom and Strackee, "The solid angle of a plane
@@ -31,8 +32,8 @@ double triangle_solid_angle(const Vec3& a, const Vec3& b, const Vec3& c, double 
   const double la = glm::length(a);
   const double lb = glm::length(b);
   const double lc = glm::length(c);
-  return 2.0 * std::atan2(triple, la * lb * lc + glm::dot(a, b) * lc + glm::dot(a, c) * lb +
-                                      glm::dot(b, c) * la);
+  return 2.0 * arctan2(triple, la * lb * lc + glm::dot(a, b) * lc + glm::dot(a, c) * lb +
+                                   glm::dot(b, c) * la);
 }
 
 }  // namespace
@@ -119,6 +120,11 @@ SphericalRectangle::Sample SphericalRectangle::sample(const Vec2& xi) const {
   const double h = h0 + xi.y * (h1 - h0);
   const double y = std::clamp(h * std::sqrt(d2 / ((1.0 - h) * (1.0 + h))), y0_, y1_);
   return {corner_ + (x - x0_) * x_ + (y - y0_) * y_, 1.0 / solid_angle_};
+}
+
+SphericalRectangle::AtDistance1 SphericalRectangle::at_distance_1() const {
+  const Vec3 ahead = std::copysign(1.0, glm::dot(corner_, normal_)) * normal_;
+  return {x_, y_, ahead, x0_ / z_, x1_ / z_, y0_ / z_, y1_ / z_};
 }
 
 // dA = distance^2 / cos dOmega, and cos = z / distance.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "local_light.h"
 #include "rt/math/rounding.h"
 #include "rt/math/spherical_rectangle.h"
 #include "rt/math/warp.h"
@@ -14,11 +15,6 @@ namespace rt {
 namespace {
 
 bool is_black(const Rgb& c) { return c.r == 0.0 && c.g == 0.0 && c.b == 0.0; }
-
-double falloff(const Light& light, double distance) {
-  const auto& f = light.falloff;
-  return 1.0 / (f.c0 + distance * (f.c1 + distance * f.c2));
-}
 
 /// From inside a sphere its surface fills all directions, and nothing inside shadows it.
 LightSample sample_around(const Vec3& from_centre, double radius, const Vec2& u) {
@@ -55,27 +51,6 @@ LightSample sample_light(const Light& light, const ShadingPoint& point, const Sa
   return {to_light * (1.0 / distance), distance};
 }
 
-namespace {
-
-/// kd (n.l) + ks (r.v)^shininess, where the light stands above the surface.
-Rgb reflected(const Phong& phong, const ShadingPoint& point, const Vec3& view, const Vec3& l) {
-  const double n_dot_l = glm::dot(point.shading_normal, l);
-  // Written so that a light at the very point, l = NaN, gives nothing.
-  if (!(n_dot_l > 0.0 && glm::dot(point.normal, l) > 0.0)) {
-    return Rgb(0.0);
-  }
-  Rgb sum = phong.kd * n_dot_l;
-  if (!is_black(phong.ks)) {
-    const double r_dot_v = 2.0 * n_dot_l * glm::dot(point.shading_normal, view) - glm::dot(l, view);
-    if (r_dot_v > phong.least_r_dot_v) {
-      sum += phong.ks * std::pow(r_dot_v, phong.shininess);
-    }
-  }
-  return sum;
-}
-
-}  // namespace
-
 Rgb dimmed(const RenderPlan& plan, const ShadingPoint& from, const Vec3& way, double reach,
            RayCounts& counts) {
   Rgb share(1.0);
@@ -102,16 +77,30 @@ Rgb dimmed(const RenderPlan& plan, const ShadingPoint& from, const Vec3& way, do
   return share;
 }
 
-namespace {
+double falloff(const Light& light, double distance) {
+  const auto& f = light.falloff;
+  return 1.0 / (f.c0 + distance * (f.c1 + distance * f.c2));
+}
 
-/// What share of light `index` arrives at a point from `reach` away in direction `way` (unit): none
-/// behind anything that blocks, so that no light is too bright to be hidden, less than 1 behind
-/// what dims.
-std::optional<Rgb> visibility(const RenderPlan& plan, std::size_t index, const ShadingPoint& from,
-                              const Vec3& way, double reach, ShadowCache& cache,
+Rgb reflected(const Phong& phong, const ShadingPoint& point, const Vec3& view, const Vec3& l) {
+  const double n_dot_l = glm::dot(point.shading_normal, l);
+  // Written so that a light at the very point, l = NaN, gives nothing.
+  if (!(n_dot_l > 0.0 && glm::dot(point.normal, l) > 0.0)) {
+    return Rgb(0.0);
+  }
+  Rgb sum = phong.kd * n_dot_l;
+  if (!is_black(phong.ks)) {
+    const double r_dot_v = 2.0 * n_dot_l * glm::dot(point.shading_normal, view) - glm::dot(l, view);
+    if (r_dot_v > phong.least_r_dot_v) {
+      sum += phong.ks * std::pow(r_dot_v, phong.shininess);
+    }
+  }
+  return sum;
+}
+
+std::optional<Rgb> visibility(const RenderPlan& plan, const Candidates& blockers,
+                              const ShadingPoint& from, const Vec3& way, double reach,
                               RayCounts& counts) {
-  ++counts.shadow;
-  const Candidates blockers = cache.towards(index, from.position);
   const bool occluded_here =
       blockers.known ? !blockers.instances.empty() &&
                            occluded_by(plan, blockers.instances, leave(from, way), reach)
@@ -123,7 +112,9 @@ std::optional<Rgb> visibility(const RenderPlan& plan, std::size_t index, const S
   return may_dim ? dimmed(plan, from, way, reach, counts) : Rgb(1.0);
 }
 
-}  // namespace
+double free_distance(const ShadingPoint& from, const Light& light, double distance) {
+  return distance - (from.position_error + gamma(4) * max_abs(light.position));
+}
 
 Rgb direct_light(const RenderPlan& plan, std::size_t index, const Phong& phong,
                  const ShadingPoint& point, const Vec3& view, const Sampler& sampler,
@@ -131,6 +122,12 @@ Rgb direct_light(const RenderPlan& plan, std::size_t index, const Phong& phong,
   const Light& light = plan.lights[index];
   if (is_black(phong.kd) && is_black(phong.ks)) {
     return Rgb(0.0);
+  }
+  if (light.radius > 0.0 || light.rectangle) {
+    if (const auto sum = area_light(plan, index, phong, point, view, sampler, vertex, negligible,
+                                    cache, counts)) {
+      return *sum;
+    }
   }
   const LightSample s = sample_light(light, point, sampler, vertex);
   const Rgb value = reflected(phong, point, view, s.direction) * light.colour *
@@ -141,9 +138,10 @@ Rgb direct_light(const RenderPlan& plan, std::size_t index, const Phong& phong,
   if (!s.shadowed) {
     return value;
   }
-  // A surface through the light, as far as rounding can tell, does not shadow it.
-  const double reach = s.distance - (point.position_error + gamma(4) * max_abs(light.position));
-  const auto share = visibility(plan, index, point, s.direction, reach, cache, counts);
+  ++counts.shadow;
+  const double reach = free_distance(point, light, s.distance);
+  const auto share = visibility(plan, cache.towards(index, point.position), point, s.direction,
+                                reach, counts);
   return share ? value * *share : Rgb(0.0);
 }
 

@@ -113,6 +113,9 @@ class Planner {
       case Search::one_by_one:
         break;
     }
+    if (extended_lights_ && !plan_.list && !plan_.tree && !plan_.bounded.empty()) {
+      plan_.shaft_list = std::make_unique<BoxList>(boxes());
+    }
   }
 
   void place(Light light) {
@@ -122,6 +125,7 @@ class Planner {
     }
     const bool extended = light.radius > 0.0 || light.rectangle;
     plan_.random |= extended;
+    extended_lights_ |= extended;
     if (extended && light.visible) {
       place(shape_of(light));
       plan_.instances.back().shadow = Shadow::none;
@@ -344,6 +348,7 @@ class Planner {
   const RenderJob& job_;
   Vec3 eye_{0.0};  ///< when the shutter opens
   RenderPlan plan_;
+  bool extended_lights_ = false;
   Bounds all_bounded_;  ///< holds plan_.bounded
   std::vector<std::pair<std::shared_ptr<const Material>, std::shared_ptr<const TextureSet>>> kept_;
   double brightest_light_ = 0.0;

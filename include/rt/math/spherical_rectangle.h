@@ -28,6 +28,16 @@ class SphericalRectangle {
 
   bool by_area() const { return by_area_; }
 
+  /// The rectangle as x X + y Y + Z about p, in its own unit axes, Z of length 1 towards its plane:
+  /// what is seen through the plane at distance 1. Not for by_area().
+  struct AtDistance1 {
+    Vec3 x, y, z;
+    double x0, x1, y0, y1;
+  };
+  AtDistance1 at_distance_1() const;
+  /// Distance of the plane.
+  double distance() const { return z_; }
+
  private:
   bool prepare_map(double height);
   double solid_angle_by_triangles() const;

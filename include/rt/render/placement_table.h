@@ -22,6 +22,8 @@ struct MovedMap {
 
   Ray model_ray(const Ray& r) const { return {r.origin + to_model, r.direction}; }
   Vec3 render_point(const Vec3& p) const { return p + to_render; }
+  Vec3 render_vector(const Vec3& v) const { return v; }
+  Vec3 model_vector(const Vec3& v) const { return v; }
   Vec3 render_normal(const Vec3& n) const { return n; }
   double model_per_render() const { return 1.0; }
   double render_per_model() const { return 1.0; }
@@ -37,6 +39,8 @@ struct ScaledMap {
     return {model_factor * r.origin + to_model, model_factor * r.direction};
   }
   Vec3 render_point(const Vec3& p) const { return render_factor * p + to_render; }
+  Vec3 render_vector(const Vec3& v) const { return render_factor * v; }
+  Vec3 model_vector(const Vec3& v) const { return model_factor * v; }
   Vec3 render_normal(const Vec3& n) const { return scaled_to_unit(n * model_factor); }
   double model_per_render() const { return std::abs(model_factor); }
   double render_per_model() const { return std::abs(render_factor); }
@@ -57,6 +61,8 @@ struct LinearMap {
     return {parts.to_model * r.origin + to_model, parts.to_model * r.direction};
   }
   Vec3 render_point(const Vec3& p) const { return parts.to_render * p + to_render; }
+  Vec3 render_vector(const Vec3& v) const { return parts.to_render * v; }
+  Vec3 model_vector(const Vec3& v) const { return parts.to_model * v; }
   Vec3 render_normal(const Vec3& n) const { return scaled_to_unit(n * parts.to_model); }
   double model_per_render() const { return parts.model_per_render; }
   double render_per_model() const { return parts.render_per_model; }

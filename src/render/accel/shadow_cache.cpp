@@ -67,7 +67,7 @@ ShadowCache::ShadowCache(const RenderPlan& plan) : plan_(plan), fineness_(finene
     lights_.push_back(box_of(light));
   }
   last_.resize(lights_.size());
-  if (plan.list || plan.tree) {
+  if (plan.list || plan.tree || plan.shaft_list || plan.bounded.empty()) {
     table_.resize(entries);
   }
 }
@@ -115,12 +115,21 @@ void ShadowCache::fill(Entry& entry, const Bounds& cell, std::size_t light) cons
     }
   }
   const auto add_box = [&](std::uint32_t index) { return add(entry, plan_.bounded[index]); };
-  if (!(plan_.list ? plan_.list->each_in(shaft, add_box) : plan_.tree->each_in(shaft, add_box))) {
+  // Shafts from afar are not followed; then it is the light that is near.
+  const auto each_in = [&](const auto& boxes) {
+    return boxes.each_in(shaft, add_box) || boxes.each_in({shaft.to, shaft.from}, add_box);
+  };
+  const BoxList* list = plan_.list ? plan_.list.get() : plan_.shaft_list.get();
+  if (list == nullptr && !plan_.tree) {
+    return;  // there are no boxes
+  }
+  if (!(list != nullptr ? each_in(*list) : each_in(*plan_.tree))) {
     entry.state = State::many;
   }
 }
 
-Candidates ShadowCache::towards(std::size_t light, const Vec3& position, Bounds* cell_bounds) {
+Candidates ShadowCache::towards(std::size_t light, const Vec3& position, bool at_once,
+                                Bounds* cell_bounds) {
   if (table_.empty()) {
     return {};
   }
@@ -133,10 +142,12 @@ Candidates ShadowCache::towards(std::size_t light, const Vec3& position, Bounds*
     }
     // Fibonacci hashing (Knuth, TAOCP 3, 6.4): the upper bits of a product with 2^64 / phi.
     Entry& entry = table_[(last.cell.key * 0x9e3779b97f4a7c15U) >> 54U];
-    if (entry.key != last.cell.key) {
+    const bool asked = entry.key == last.cell.key;
+    if (!asked) {
       entry = {};
       entry.key = last.cell.key;
-    } else {
+    }
+    if (asked || at_once) {
       if (entry.state == State::unknown) {
         fill(entry, last.cell.bounds, light);
       }

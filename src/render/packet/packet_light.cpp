@@ -12,16 +12,6 @@ namespace {
 struct WideLightSample {
   Wide3 direction;
   Wide distance;
-  Wide weight{1.0};
-  unsigned shadowed = all_lanes;
-
-  void set(int i, const LightSample& s) {
-    const auto at = static_cast<std::size_t>(i);
-    direction.set(i, s.direction);
-    distance[at] = s.distance;
-    weight[at] = s.weight;
-    shadowed = (shadowed & ~(1U << i)) | static_cast<unsigned>(s.shadowed) << i;
-  }
 };
 
 Wide falloff(const Light& light, const Wide& distance) {
@@ -29,25 +19,8 @@ Wide falloff(const Light& light, const Wide& distance) {
   return 1.0 / (f.c0 + distance * (f.c1 + distance * f.c2));
 }
 
-WideLightSample sample_light(const Light& light, const WideShadingPoint& point, unsigned bits,
-                             const WideSampler& sampler, const Vertex& vertex) {
+WideLightSample sample_light(const Light& light, const WideShadingPoint& point) {
   WideLightSample out;
-  if (light.rectangle) {
-    each_lane(bits, [&](int i) {
-      out.set(i, sample_light(light, point.lane(i), sampler.lane(i), vertex));
-    });
-    return out;
-  }
-  if (light.radius > 0.0) {
-    const WideSphereSample s =
-        sample_sphere(sampler.light(vertex), point.position, light.position, light.radius);
-    out.direction = s.direction;
-    out.distance = s.distance;
-    each_lane(bits & ~bits_of(s.outside), [&](int i) {
-      out.set(i, sample_light(light, point.lane(i), sampler.lane(i), vertex));
-    });
-    return out;
-  }
   const Wide3 to_light = Wide3(light.position) - point.position;
   out.distance = length(to_light);
   out.direction = to_light * (1.0 / out.distance);
@@ -90,7 +63,7 @@ unsigned seeing(const RenderPlan& plan, std::size_t index, const WideShadingPoin
   for (unsigned rest = shadow.active; rest != 0;) {
     const int first = std::countr_zero(rest);
     Bounds cell;
-    const Candidates blockers = cache.towards(index, from.position.lane(first), &cell);
+    const Candidates blockers = cache.towards(index, from.position.lane(first), false, &cell);
     const unsigned here = inside(cell, from.position, rest) | 1U << first;
     rest &= ~here;
     if (!blockers.known) {
@@ -115,6 +88,20 @@ unsigned seeing(const RenderPlan& plan, std::size_t index, const WideShadingPoin
   return shadow.active & ~hidden;
 }
 
+/// Extended lights are told of by lines (area_light.cpp), whose cases differ from lane to lane.
+Wide3 one_by_one(const RenderPlan& plan, std::size_t index, const WidePhong& phong,
+                 const WideShadingPoint& point, unsigned bits, const Wide3& view,
+                 const WideSampler& sampler, const Vertex& vertex, const Wide& negligible,
+                 ShadowCache& cache, RayCounts& counts) {
+  Wide3 sum{Wide(0.0)};
+  each_lane(bits, [&](int i) {
+    const Phong one{phong.kd.lane(i), phong.ks.lane(i), phong.shininess, phong.least_r_dot_v};
+    sum.set(i, direct_light(plan, index, one, point.lane(i), view.lane(i), sampler.lane(i), vertex,
+                            negligible[static_cast<std::size_t>(i)], cache, counts));
+  });
+  return sum;
+}
+
 }  // namespace
 
 Wide3 direct_light(const RenderPlan& plan, std::size_t index, const WidePhong& phong,
@@ -125,21 +112,24 @@ Wide3 direct_light(const RenderPlan& plan, std::size_t index, const WidePhong& p
   if (is_black(phong.kd) && is_black(phong.ks)) {
     return Wide3(Wide(0.0));
   }
-  const WideLightSample s = sample_light(light, point, bits, sampler, vertex);
+  if (light.radius > 0.0 || light.rectangle) {
+    return one_by_one(plan, index, phong, point, bits, view, sampler, vertex, negligible, cache,
+                      counts);
+  }
+  const WideLightSample s = sample_light(light, point);
   Wide3 value = reflected(phong, point, view, s.direction, bits) * Wide3(light.colour) *
-                (s.weight * falloff(light, s.distance));
+                falloff(light, s.distance);
   const unsigned matters = bits_of(max_abs(value) > negligible) & bits;
-  const unsigned shadowed = matters & s.shadowed;
   unsigned seen = matters;
   unsigned dimming = 0;
-  if (shadowed != 0) {
+  if (matters != 0) {
     // A surface through the light, as far as rounding can tell, does not shadow it.
     const Wide reach =
         s.distance - (point.position_error + gamma(4) * Wide(max_abs(light.position)));
-    counts.shadow += static_cast<unsigned>(std::popcount(shadowed));
-    const Packet shadow = leave(point, s.direction, shadowed);
-    seen &= ~shadowed | seeing(plan, index, point, shadow, reach, cache, dimming);
-    dimming &= seen & shadowed;
+    counts.shadow += static_cast<unsigned>(std::popcount(matters));
+    const Packet shadow = leave(point, s.direction, matters);
+    seen = seeing(plan, index, point, shadow, reach, cache, dimming);
+    dimming &= seen;
     if (plan.dims && dimming != 0) {
       each_lane(dimming, [&](int i) {
         const auto at = static_cast<std::size_t>(i);

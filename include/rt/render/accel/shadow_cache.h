@@ -20,13 +20,17 @@ class ShadowCache {
  public:
   explicit ShadowCache(const RenderPlan& plan);
 
-  /// For shadow rays from `position` towards light `light`. The answer holds for all positions in
-  /// `cell`, lower faces included; that is empty where space is not divided into cells.
-  Candidates towards(std::size_t light, const Vec3& position, Bounds* cell = nullptr);
+  /// How many are few.
+  static constexpr std::size_t most = 28;
+
+  /// For shadow rays from `position` towards light `light`. `at_once`: even when nobody has asked
+  /// in this cell before; then the answer is the same whatever was asked. It holds for all positions
+  /// in `cell`, lower faces included; that is empty where space is not divided into cells.
+  Candidates towards(std::size_t light, const Vec3& position, bool at_once = false,
+                     Bounds* cell = nullptr);
 
  private:
   static constexpr std::size_t entries = 1024;
-  static constexpr std::size_t most = 28;
   enum class State : std::uint8_t { unknown, many, known };
 
   struct alignas(64) Entry {
