@@ -33,13 +33,15 @@ RenderJob crowded(const Light& light, double shine = 0.3) {
   return job;
 }
 
-/// The same where so many things are about, and no boxes about them, that nobody knows which hide
-/// the light: points are drawn and asked for.
+/// The same with so many specks in a corner of the box about the light, where none hides any of it,
+/// that nobody knows which few things may: points are drawn and asked for.
 RenderJob by_points(RenderJob job) {
+  const Light& light = job.lights[0];
+  const Vec3 corner =
+      light.rectangle ? 0.5 * (light.rectangle->u + light.rectangle->v) : Vec3(light.radius);
   for (int i = 0; i < 16; ++i) {
-    add(job, Sphere{{1000.0 + i, -5, 0}, 0.1}, {}, matt(Rgb(0.0)));
+    add(job, Sphere{light.position + 0.999 * corner, 1e-12}, {}, matt(Rgb(0.0)));
   }
-  job.options.accel = AccelChoice::none;
   return job;
 }
 
@@ -68,7 +70,7 @@ TEST(LightLines, HaveTheMeanOfPoints) {
       in_penumbra += b.standard_error.r > 1e-3 ? 1 : 0;
     }
   }
-  EXPECT_GT(in_penumbra, 20);
+  EXPECT_GT(in_penumbra, 15);
 }
 
 // In the half-shadow of convex things on a matt floor.
@@ -100,7 +102,7 @@ TEST(LightLines, AreExactWhereNothingOrOneThingHidesAll) {
     Probe probe(job);
     const test::Estimate open = probe.estimate({20, 1, 0}, {0, -1, 0}, 8, 1);
     EXPECT_GT(open.mean.r, 0.1);
-    EXPECT_LT(open.standard_error.r, 1e-15);
+    EXPECT_LT(open.standard_error.r, 1e-8);  // rounding of the sums it is made of
     EXPECT_EQ(probe.estimate({0, 0.01, 0}, {0, -1, 0}, 8, 1).mean.r, 0.0);
   }
 }
@@ -111,6 +113,7 @@ TEST(LightLines, AreNotHiddenByWhatLiesInTheLightsPlane) {
     for (const Vec3& eye : {Vec3(0.1, 1, 0.2), Vec3(0.3, 1e4, 0.7)}) {
       RenderJob open = test::bare_job();
       open.camera.eye = eye;
+      open.options.width = open.options.height = 4096;  // small cells, of which blockers are known
       add(open, Plane{}, {}, matt(Rgb(1.0)));
       open.lights.push_back(
           {.position = {0.1, height, 0.2}, .rectangle = {{{3, 0, 0}, {0, 0, 3}}}});

@@ -79,14 +79,14 @@ TEST(Fan, FromTheFloorThingsStandOn) {
     for (int i = 0; i < 2000; ++i) {
       const double angle = fans.in(0.0, 6.28);
       const Vec3 origin = fans.in(1.5, 4.0) * Vec3(std::cos(angle), 0.0, std::sin(angle));
-      const Fan fan{origin,
-                    {0.3 * fans.in(-1.0, 1.0), 1.0, 0.3 * fans.in(-1.0, 1.0)},
-                    {std::sin(3.0 * angle), 0.0, std::cos(5.0 * angle)}};
+      const double turn = angle + fans.in(-0.5, 0.5);
+      const Vec3 up{0.3 * fans.in(-1.0, 1.0), 1.0, 0.3 * fans.in(-1.0, 1.0)};
+      const Fan fan{origin, up, {-std::cos(turn), 0.0, -std::sin(turn)}};
       known += stopped(shape, fan).has_value() ? 1 : 0;
       expect_as_rays(shape, fan, stopped_rays, passed_rays);
     }
     EXPECT_EQ(known, 2000) << shape_kind(shape);
-    EXPECT_GT(stopped_rays, 5000) << shape_kind(shape);
+    EXPECT_GT(stopped_rays, 1000) << shape_kind(shape);
     EXPECT_GT(passed_rays, 10000) << shape_kind(shape);
   }
 }
