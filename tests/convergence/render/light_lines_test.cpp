@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "rt/render/accel/shadow_cache.h"
 #include "unit/render/probe.h"
 
 namespace rt {
@@ -39,7 +40,7 @@ RenderJob by_points(RenderJob job) {
   const Light& light = job.lights[0];
   const Vec3 corner =
       light.rectangle ? 0.5 * (light.rectangle->u + light.rectangle->v) : Vec3(light.radius);
-  for (int i = 0; i < 16; ++i) {
+  for (std::size_t i = 0; i <= ShadowCache::most; ++i) {
     add(job, Sphere{light.position + 0.999 * corner, 1e-12}, {}, matt(Rgb(0.0)));
   }
   return job;
