@@ -53,8 +53,8 @@ WideDip search_dip(const WideRing& ring, Wide& s, WideMask open) {
     const RingStep<Wide> step = step_to_root(jet);
     s = select(open, s + step.length, s);
     const WideMask done = open && settled(ring, jet, step);
-    dip.crossed = dip.crossed || (done && step.fall > ring.slope_noise() &&
-                                  step.fall * step.fall > doubt);
+    dip.crossed =
+        dip.crossed || (done && step.fall > ring.slope_noise() && step.fall * step.fall > doubt);
     open = open && !done;
   }
   return dip;

@@ -60,8 +60,8 @@ int unknown_method(lua_State* L) {
 /// __index of materials, lights and textures.
 template <class T>
 int no_method(lua_State* L) {
-  throw SceneError(
-      fmt::format("a {} has no '{}'; only nodes have methods", handle_kind<T>.name, key_text(L, 2)));
+  throw SceneError(fmt::format("a {} has no '{}'; only nodes have methods", handle_kind<T>.name,
+                               key_text(L, 2)));
 }
 
 int refuse_assignment(lua_State* L) {

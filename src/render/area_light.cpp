@@ -70,9 +70,9 @@ std::optional<Rgb> area_light(const RenderPlan& plan, std::size_t index, const P
     const Candidates rest{true, blockers.dims, blockers.others.span()};
     const auto arrives =
         visibility(plan, rest, point, way, free_distance(point, light, distance), counts);
-    const Rgb there = arrives ? reflected(phong, point, view, way) * *arrives *
-                                    falloff(light, distance)
-                              : Rgb(0.0);
+    const Rgb there = arrives
+                          ? reflected(phong, point, view, way) * *arrives * falloff(light, distance)
+                          : Rgb(0.0);
     sum += (there - diffuse * glm::dot(n, way)) * (parts.angle() / line.angle());
   }
   return sum * light.colour;

@@ -140,8 +140,8 @@ Rgb direct_light(const RenderPlan& plan, std::size_t index, const Phong& phong,
   }
   ++counts.shadow;
   const double reach = free_distance(point, light, s.distance);
-  const auto share = visibility(plan, cache.towards(index, point.position), point, s.direction,
-                                reach, counts);
+  const auto share =
+      visibility(plan, cache.towards(index, point.position), point, s.direction, reach, counts);
   return share ? value * *share : Rgb(0.0);
 }
 

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <map>
 
+#include "rt/render/adaptive.h"
+#include "rt/render/packet/packet_tracer.h"
 #include "rt/render/sample.h"
 #include "rt/render/thin.h"
 
@@ -94,8 +96,8 @@ std::string pixels(const RenderOptions& o) {
     return "the classic scheme: squares are divided while their corners differ";
   }
   return fmt::format(
-      "adaptive: 4 samples a pixel, then as many as an error of {:g} needs, {} at most",
-      o.max_error, o.max_samples);
+      "adaptive: {} samples a pixel, then as many as an error of {:g} needs, {} at most",
+      pilot_samples, o.max_error, o.max_samples);
 }
 
 std::string chosen(const RenderPlan& plan, const Counts& c) {
@@ -110,9 +112,12 @@ std::string chosen(const RenderPlan& plan, const Counts& c) {
       std::ranges::count_if(plan.mesh_trees, [](const auto& tree) { return tree != nullptr; });
   if (meshes > 0) {
     part.line("meshes", counted(static_cast<std::size_t>(meshes), "mesh") +
-
                             " with a hierarchy each, shared by all instances");
   }
+  part.line("samples",
+            PacketTracer::serves(plan)
+                ? fmt::format("{} at a time, as the processor's registers hold numbers", lanes)
+                : "one at a time: something moves, absorbs, or is textured with a filter");
   if ((plan.list || plan.tree) && !plan.moving_camera && plan.camera.lens_radius == 0.0) {
     part.line("sight",
               "camera rays only try what a block of 8 x 8 pixels can show, where that is little");
@@ -219,7 +224,7 @@ std::string cost(const RenderPlan& plan, int threads) {
   const RenderOptions& o = plan.options;
   const auto [rays, seconds] = probed(plan);
   const int fixed = fixed_samples(o);
-  const double least = fixed > 0 ? fixed : 4;
+  const double least = fixed > 0 ? fixed : pilot_samples;
   const double picture = least * o.width * o.height * seconds / threads;
   std::string text = fmt::format(
       "To expect: {:.1f} rays and {} microseconds a sample, measured on {} of them; {}{} s "

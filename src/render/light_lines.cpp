@@ -47,8 +47,7 @@ Blockers::Blockers(const RenderPlan& plan, const Candidates& candidates, const S
         others.add(id);
         return;
       }
-      const double reach =
-          max_abs(point.position) + map.render_per_model() * max_abs(map.to_model);
+      const double reach = max_abs(point.position) + map.render_per_model() * max_abs(map.to_model);
       convex[convex_count++] = {id, map.model_vector(point.position) + map.to_model,
                                 point.position_error + gamma(16) * reach};
     });
@@ -66,8 +65,7 @@ VisibleParts::VisibleParts(const LightLine& line, const Blockers& blockers, FewI
     const Fan fan = plan.map(instance, 0.0, [&](const auto& map) {
       return Fan{b.origin, map.model_vector(line.start), map.model_vector(line.step), b.nearest};
     });
-    const auto span =
-        plan.visit(instance, [&](const auto& shape) { return stopped(shape, fan); });
+    const auto span = plan.visit(instance, [&](const auto& shape) { return stopped(shape, fan); });
     if (!span) {
       unknown.add(b.id);
     } else if (span->lo < span->hi && span->lo < line.last && span->hi > line.first) {

@@ -13,8 +13,8 @@ double falloff(const Light& light, double distance);
 Rgb reflected(const Phong& phong, const ShadingPoint& point, const Vec3& view, const Vec3& l);
 
 /// What share of a light arrives at a point from `reach` away in direction `way` (unit): none
-/// behind anything that blocks, so that no light is too bright to be hidden, less than 1 behind what
-/// dims. `blockers`: what can block; when they are not known, everything.
+/// behind anything that blocks, so that no light is too bright to be hidden, less than 1 behind
+/// what dims. `blockers`: what can block; when they are not known, everything.
 std::optional<Rgb> visibility(const RenderPlan& plan, const Candidates& blockers,
                               const ShadingPoint& from, const Vec3& way, double reach,
                               RayCounts& counts);

@@ -92,8 +92,8 @@ class Sampler {
       : key_(key), index_(index), point_(shuffled(index, key)) {}
 
   static std::uint64_t key_of(std::uint64_t seed, int x, int y) {
-    return combine(seed, (std::uint64_t{static_cast<std::uint32_t>(x)} << 32) |
-                             static_cast<std::uint32_t>(y));
+    return combine(
+        seed, (std::uint64_t{static_cast<std::uint32_t>(x)} << 32) | static_cast<std::uint32_t>(y));
   }
 
   /// A permutation of the index that maps aligned blocks of 2^m to aligned blocks: an Owen

@@ -1,7 +1,8 @@
 #pragma once
 /// Several doubles at a time: as many as a vector register of the machine compiled for holds. Every
 /// lane goes through the operations that its scalar counterpart would, in the same order, each
-/// rounded once; so a lane's bits depend neither on the number of lanes nor on the others' contents.
+/// rounded once; so a lane's bits depend neither on the number of lanes nor on the others'
+/// contents.
 #include <experimental/simd>
 
 #include "rt/math/transform.h"

@@ -38,9 +38,8 @@ class WideSampler {
       return draw2(keys_, points_, 3, 2, 3);
     }
     const Keys keys = combined((std::uint64_t{v.order} << 32) | v.copy);
-    return v.order == 0
-               ? draw2(keys, points_, 3, 2, 3)
-               : draw2(keys, shuffled(combined(std::uint64_t{v.order} << 32)), 3, 0, 1);
+    return v.order == 0 ? draw2(keys, points_, 3, 2, 3)
+                        : draw2(keys, shuffled(combined(std::uint64_t{v.order} << 32)), 3, 0, 1);
   }
 
  private:

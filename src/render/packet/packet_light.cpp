@@ -133,8 +133,8 @@ Wide3 direct_light(const RenderPlan& plan, std::size_t index, const WidePhong& p
     if (plan.dims && dimming != 0) {
       each_lane(dimming, [&](int i) {
         const auto at = static_cast<std::size_t>(i);
-        value.set(i, value.lane(i) *
-                         dimmed(plan, point.lane(i), s.direction.lane(i), reach[at], counts));
+        value.set(
+            i, value.lane(i) * dimmed(plan, point.lane(i), s.direction.lane(i), reach[at], counts));
       });
     }
   }

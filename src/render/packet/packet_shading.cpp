@@ -24,8 +24,8 @@ void WideShadingPoint::set(int i, const ShadingPoint& p) {
   position.set(i, p.position);
   normal.set(i, p.normal);
   shading_normal.set(i, p.shading_normal);
-  from_outside = (from_outside & ~(1U << i)) |
-                 static_cast<unsigned>(p.side == Leaving::outward) << i;
+  from_outside = (from_outside & ~(1U << i)) | static_cast<unsigned>(p.side == Leaving::outward)
+                                                   << i;
   position_error[at] = p.position_error;
   feature[at] = p.feature;
 }
@@ -39,8 +39,8 @@ WideShadingPoint point_on(const S& shape, const Map& map, const Packet& packet,
   const WideSurfacePoint p = surface_point(shape, ray, hits.t, hits.feature);
   WideShadingPoint point;
   point.position = render_points(map, p.position);
-  point.position_error = gamma(16) * (map.render_per_model() * max_abs(p.position) +
-                                      Wide(max_abs(map.to_render)));
+  point.position_error =
+      gamma(16) * (map.render_per_model() * max_abs(p.position) + Wide(max_abs(map.to_render)));
   const Wide3 normal = render_normals(map, p.normal);
   const WideMask from_outside = dot(p.normal, ray.direction) <= 0.0;
   point.normal = select(from_outside, normal, -normal);
@@ -73,9 +73,12 @@ WideShadingPoint shading_points(const RenderPlan& plan, const Packet& packet,
 
 Packet leave(const WideShadingPoint& from, const Wide3& direction, unsigned bits) {
   const unsigned to_seen_side = bits_of(dot(from.normal, direction) >= 0.0);
-  return {{from.position, direction}, bits,
-          from.position_error,        from.instance,
-          from.feature,               ~(to_seen_side ^ from.from_outside) & all_lanes};
+  return {{from.position, direction},
+          bits,
+          from.position_error,
+          from.instance,
+          from.feature,
+          ~(to_seen_side ^ from.from_outside) & all_lanes};
 }
 
 }  // namespace rt

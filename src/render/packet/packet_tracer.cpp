@@ -44,9 +44,8 @@ bool PacketTracer::serves(const RenderPlan& plan) {
 PacketTracer::PacketTracer(const RenderPlan& plan)
     : plan_(plan), negligible_(negligible_branch(plan.options)), shadow_cache_(plan) {}
 
-Wide3 PacketTracer::radiance(Packet camera, const Wide& y,
-                             const WideSampler& sampler, RayCounts& counts,
-                             const Candidates& sight) {
+Wide3 PacketTracer::radiance(Packet camera, const Wide& y, const WideSampler& sampler,
+                             RayCounts& counts, const Candidates& sight) {
   sum_ = Wide3(Wide(0.0));
   y_ = y;
   sight_ = sight;
@@ -216,8 +215,8 @@ void PacketTracer::reflect(const Scatter& at, unsigned bits, const Wide3& throug
   }
   Wide3 weighted = throughput;
   each_lane(bits, [&](int i) {
-    const auto s = at.material.lobe->sample(sampler_->lane(i).lobe(at.path.vertex), direction.lane(i),
-                                            at.point.normal.lane(i));
+    const auto s = at.material.lobe->sample(sampler_->lane(i).lobe(at.path.vertex),
+                                            direction.lane(i), at.point.normal.lane(i));
     direction.set(i, s.direction);
     weighted.set(i, throughput.lane(i) * s.weight);
   });

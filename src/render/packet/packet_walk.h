@@ -107,9 +107,9 @@ void walk_packet(const BoxList& list, const Packet& packet, const Wide& t_max, V
       const int box = BoxGroup::nearest(hits, touched.near);
       hits &= ~(1U << box);
       if (const unsigned bits = rays.before_end(touched.lanes_at(box), touched.near[box])) {
-        rays.limit(visit(static_cast<std::uint32_t>(BoxGroup::width * g) +
-                             static_cast<std::uint32_t>(box),
-                         bits));
+        rays.limit(
+            visit(static_cast<std::uint32_t>(BoxGroup::width * g) + static_cast<std::uint32_t>(box),
+                  bits));
       }
     }
   }

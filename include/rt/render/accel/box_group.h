@@ -45,7 +45,8 @@ struct BoxShaft {
 struct BoxGroup {
   static constexpr std::size_t width = 8;
   /// Eight floats: one register, or two where registers are smaller.
-  using Floats = std::experimental::simd<float, std::experimental::simd_abi::deduce_t<float, width>>;
+  using Floats =
+      std::experimental::simd<float, std::experimental::simd_abi::deduce_t<float, width>>;
 
   alignas(32) float lo[3][width];
   alignas(32) float hi[3][width];
@@ -122,7 +123,8 @@ class BoxSpace {
 
   const Vec3& centre() const { return centre_; }
   double per_unit() const { return per_unit_; }
-  /// Rays that begin nearer than this to the centre, in half-edges of the cube, need not be clipped.
+  /// Rays that begin nearer than this to the centre, in half-edges of the cube, need not be
+  /// clipped.
   static constexpr double reach_of_rays = 8.0;
   /// Stands for 1/0: no path is so long.
   static constexpr double endless = 1e30;

@@ -62,8 +62,9 @@ class BoxTree {
     return true;
   }
 
-  /// Several rays together: `rays` (packet_walk.h) says which of them may touch a group's boxes, and
-  /// visit(index, lanes) is called for every box that some may, with what is then their new limit.
+  /// Several rays together: `rays` (packet_walk.h) says which of them may touch a group's boxes,
+  /// and visit(index, lanes) is called for every box that some may, with what is then their new
+  /// limit.
   template <class Rays, class Visit>
   void walk_together(Rays& rays, Visit& visit) const {
     struct {

@@ -24,8 +24,9 @@ class ShadowCache {
   static constexpr std::size_t most = 28;
 
   /// For shadow rays from `position` towards light `light`. `at_once`: even when nobody has asked
-  /// in this cell before; then the answer is the same whatever was asked. It holds for all positions
-  /// in `cell`, lower faces included; that is empty where space is not divided into cells.
+  /// in this cell before; then the answer is the same whatever was asked. It holds for all
+  /// positions in `cell`, lower faces included; that is empty where space is not divided into
+  /// cells.
   Candidates towards(std::size_t light, const Vec3& position, bool at_once = false,
                      Bounds* cell = nullptr);
 

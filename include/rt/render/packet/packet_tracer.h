@@ -19,8 +19,8 @@ class PacketTracer {
 
   /// The radiance that arrives along the packet's camera rays (of any length). `y`: as for Tracer,
   /// `sampler`: theirs.
-  Wide3 radiance(Packet camera, const Wide& y, const WideSampler& sampler,
-                 RayCounts& counts, const Candidates& sight);
+  Wide3 radiance(Packet camera, const Wide& y, const WideSampler& sampler, RayCounts& counts,
+                 const Candidates& sight);
 
  private:
   struct Path {
