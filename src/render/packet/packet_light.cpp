@@ -59,8 +59,10 @@ unsigned inside(const Bounds& cell, const Wide3& p, unsigned bits) {
 unsigned seeing(const RenderPlan& plan, std::size_t index, const WideShadingPoint& from,
                 const Packet& shadow, const Wide& reach, ShadowCache& cache, unsigned& dimming) {
   unsigned hidden = 0;
-  unsigned unknown = 0;
-  for (unsigned rest = shadow.active; rest != 0;) {
+  // A packet's way through a hierarchy costs less than keeping account of its cells; a list's boxes
+  // are all tested by every search (bench/NOTES.md).
+  unsigned unknown = plan.tree ? shadow.active : 0;
+  for (unsigned rest = shadow.active & ~unknown; rest != 0;) {
     const int first = std::countr_zero(rest);
     Bounds cell;
     const Candidates blockers = cache.towards(index, from.position.lane(first), false, &cell);
