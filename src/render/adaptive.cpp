@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <span>
 
 namespace rt {
 namespace {
@@ -18,20 +19,12 @@ constexpr double memory = 1.0;
 
 constexpr double max_exponent = 1.5;
 
-/// Takes samples up to `count`; a count above 4 must be the present one, or twice it.
-void grow(PixelSampler& sampler, PixelEstimate& e, int x, int y, std::uint32_t count,
-          RenderStatistics& statistics) {
+/// Counts the next samples in; there are to be `count` of them: above 4 so many as before, or twice.
+void count_in(PixelEstimate& e, std::span<const std::optional<Rgb>> values, std::uint32_t count) {
   if (e.count >= 4) {
     e.quarters = {e.quarters[0] + e.quarters[1], e.quarters[2] + e.quarters[3], Rgb(0.0), Rgb(0.0)};
   }
   const std::uint32_t quarter = std::max(count / 4, 1u);
-  std::vector<PixelSample> wanted;
-  wanted.reserve(count - e.count);
-  for (std::uint32_t i = e.count; i < count; ++i) {
-    wanted.push_back({x, y, i});
-  }
-  std::vector<std::optional<Rgb>> values(wanted.size());
-  sampler.take_all(wanted, values, statistics);
   for (const auto& value : values) {
     if (value) {
       e.quarters[e.count / quarter] += *value;
@@ -40,6 +33,36 @@ void grow(PixelSampler& sampler, PixelEstimate& e, int x, int y, std::uint32_t c
       ++e.bad;
     }
     ++e.count;
+  }
+}
+
+/// Takes samples up to `count`.
+void grow(PixelSampler& sampler, PixelEstimate& e, int x, int y, std::uint32_t count,
+          RenderStatistics& statistics) {
+  std::vector<PixelSample> wanted;
+  wanted.reserve(count - e.count);
+  for (std::uint32_t i = e.count; i < count; ++i) {
+    wanted.push_back({x, y, i});
+  }
+  std::vector<std::optional<Rgb>> values(wanted.size());
+  sampler.take_all(wanted, values, statistics);
+  count_in(e, values, count);
+}
+
+/// The first samples of pixels that lie side by side, so that neighbours fill packets together.
+void begin_row(PixelSampler& sampler, std::span<PixelEstimate> row, int x, int y,
+               std::uint32_t count, RenderStatistics& statistics) {
+  std::vector<PixelSample> wanted;
+  wanted.reserve(row.size() * count);
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      wanted.push_back({x + static_cast<int>(k), y, i});
+    }
+  }
+  std::vector<std::optional<Rgb>> values(wanted.size());
+  sampler.take_all(wanted, values, statistics);
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    count_in(row[k], std::span(values).subspan(k * count, count), count);
   }
 }
 
@@ -79,11 +102,17 @@ void AdaptiveTile::pilots(PixelSampler& sampler, const Deadline& deadline,
       release();
       return;
     }
+    const bool row_inside = y >= area_.y && y < bottom;
+    const std::span row(&pixels_[index(area_.x - 1, y)],
+                        static_cast<std::size_t>(area_.width + 2));
+    begin_row(sampler, row.first(1), area_.x - 1, y, first, outside);
+    begin_row(sampler, row.subspan(1, row.size() - 2), area_.x, y, first,
+              row_inside ? within : outside);
+    begin_row(sampler, row.last(1), right, y, first, outside);
     for (int x = area_.x - 1; x <= right; ++x) {
-      const bool inside = x >= area_.x && x < right && y >= area_.y && y < bottom;
+      const bool inside = row_inside && x >= area_.x && x < right;
       RenderStatistics& counts = inside ? within : outside;
       PixelEstimate& e = pixels_[index(x, y)];
-      grow(sampler, e, x, y, first, counts);
       const int wanted = plan.thin ? thin_pilots(plan, x, y) : 0;
       while (static_cast<int>(e.count) < wanted && 2 * e.count <= most) {
         grow(sampler, e, x, y, 2 * e.count, counts);

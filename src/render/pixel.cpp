@@ -1,7 +1,7 @@
 #include "rt/render/pixel.h"
 
 #include <algorithm>
-#include <array>
+#include <cstdint>
 
 namespace rt {
 namespace {
@@ -18,25 +18,33 @@ bool differ(const Rgb& a, const Rgb& b) {
 
 }  // namespace
 
-Rgb uniform_pixel(PixelSampler& sampler, int x, int y, int count, RenderStatistics& statistics) {
-  Rgb sum(0.0);
-  int good = 0;
+void uniform_row(PixelSampler& sampler, int x, int y, int count, std::span<Rgb> row,
+                 RenderStatistics& statistics) {
+  const auto pixels = static_cast<std::int64_t>(row.size());
   std::vector<PixelSample> wanted;
-  std::array<std::optional<Rgb>, at_once> values;
-  for (int i = 0; i < count; i += at_once) {
+  std::vector<std::optional<Rgb>> values(at_once);
+  std::vector<int> good(row.size());
+  std::ranges::fill(row, Rgb(0.0));
+  const std::int64_t all = pixels * count;
+  for (std::int64_t begin = 0; begin < all; begin += at_once) {
     wanted.clear();
-    for (int k = i; k < std::min(count, i + at_once); ++k) {
-      wanted.push_back({x, y, static_cast<std::uint32_t>(k), count == 1});
+    const std::int64_t end = std::min(all, begin + at_once);
+    for (std::int64_t i = begin; i < end; ++i) {
+      wanted.push_back({x + static_cast<int>(i / count), y, static_cast<std::uint32_t>(i % count),
+                        count == 1});
     }
     sampler.take_all(wanted, values, statistics);
-    for (std::size_t k = 0; k < wanted.size(); ++k) {
-      if (values[k]) {
-        sum += *values[k];
-        ++good;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      const auto pixel = static_cast<std::size_t>(wanted[i].x - x);
+      if (values[i]) {
+        row[pixel] += *values[i];
+        ++good[pixel];
       }
     }
   }
-  return good > 0 ? sum / static_cast<double>(good) : Rgb(0.0);
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    row[i] = good[i] > 0 ? row[i] / static_cast<double>(good[i]) : Rgb(0.0);
+  }
 }
 
 CornerTile::CornerTile(PixelSampler& sampler, const Crop& tile, RenderStatistics& statistics)

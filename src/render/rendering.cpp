@@ -170,14 +170,17 @@ bool Rendering::plain_tile(const Crop& tile, PixelSampler& sampler, RenderStatis
   if (fixed_ < 0) {
     corners.emplace(sampler, tile, statistics);
   }
+  std::vector<Rgb> row(static_cast<std::size_t>(tile.width));
   for (int y = tile.y; y < tile.y + tile.height; ++y) {
+    if (stop.told()) {
+      return false;
+    }
+    if (!corners) {
+      uniform_row(sampler, tile.x, y, fixed_, row, statistics);
+    }
     for (int x = tile.x; x < tile.x + tile.width; ++x) {
-      if (stop.told()) {
-        return false;
-      }
-      result_.film.set(
-          x - crop_.x, y - crop_.y,
-          corners ? corners->value(x, y) : uniform_pixel(sampler, x, y, fixed_, statistics));
+      const Rgb value = corners ? corners->value(x, y) : row[static_cast<std::size_t>(x - tile.x)];
+      result_.film.set(x - crop_.x, y - crop_.y, value);
     }
   }
   return true;

@@ -1,5 +1,6 @@
 #pragma once
 /// Pixels that take a fixed number of samples, or the classic scheme's.
+#include <span>
 #include <vector>
 
 #include "rt/render/film.h"
@@ -7,8 +8,10 @@
 
 namespace rt {
 
-/// The mean over `count` samples; a single one is taken at the pixel's centre.
-Rgb uniform_pixel(PixelSampler& sampler, int x, int y, int count, RenderStatistics& statistics);
+/// The means over `count` samples of each pixel from (x, y) to the right; a single one is taken at
+/// the pixel's centre.
+void uniform_row(PixelSampler& sampler, int x, int y, int count, std::span<Rgb> row,
+                 RenderStatistics& statistics);
 
 /// The classic scheme: the pixel's square is divided in four as long as the colours at its corners
 /// differ by more than 0.1, at most five times, and a square that is not is the mean of its
