@@ -43,8 +43,10 @@ std::optional<std::uint32_t> solid_around(const RenderPlan& plan, const Vec3& po
   return may_be_open ? std::nullopt : std::optional(hit->instance);
 }
 
+/// Of a planned instance. The shapes of visible lights, which follow those of the job, are no
+/// walls.
 bool is_opaque(const RenderJob& job, std::uint32_t instance) {
-  return job.instances[instance].material->opacity >= 1.0;
+  return instance < job.instances.size() && job.instances[instance].material->opacity >= 1.0;
 }
 
 /// What camera rays on a coarse grid meet.

@@ -78,6 +78,9 @@ TEST_F(Warned, NotOfARoomNorOfALampOfGlass) {
           "local t = gr.mesh('t', {{-1,-1,0}, {1,-1,0}, {0,1,0}}, {{0,1,2}}):set_material(m)\n"
           "t:set_texture(gr.checker(0.2, 1))\n" +
           render("t", lamp, "0.2"),
+      grey + render("gr.sphere('s'):set_material(m)",
+                    "gr.light{position = {0, 0, 5}, colour = 1, radius = 2, visible = true}",
+                    "0.2"),
   };
   for (const std::string& script : cases) {
     const Outcome o = run_script(script, "-q --samples 4");
