@@ -2,16 +2,15 @@
 
 #include <array>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <unordered_map>
 
+#include "material_plan.h"
 #include "media_plan.h"
 #include "rt/math/hash.h"
 #include "rt/render/accel/box_list.h"
 #include "rt/render/accel/box_tree.h"
 #include "rt/render/accel/grid.h"
-#include "rt/render/surface_texture.h"
 #include "rt/render/thin.h"
 
 namespace rt {
@@ -51,10 +50,6 @@ class Planner {
     if (shutter_opens() && job_.camera.to) {
       plan_.moves = true;
       plan_.moving_camera = std::make_unique<const Camera>(job_.camera);
-    }
-    for (const Light& light : job_.lights) {
-      // Its colour over the least of the falloff; endless where nothing bounds that.
-      brightest_light_ = std::max(brightest_light_, max_abs(light.colour) / light.falloff.c0);
     }
     const std::size_t most = job_.instances.size() + job_.lights.size();
     plan_.instances.reserve(most);
@@ -175,7 +170,7 @@ class Planner {
     to.kind = static_cast<std::uint8_t>(from.shape->index());
     to.shape = shape(from.shape);
     to.convex = convex(*from.shape);
-    to.material = material(from);
+    to.material = materials_.index_of(from);
     to.shadow = shadow_of(plan_.material_of(to));
     plan_.dims |= to.shadow == Shadow::dims;
     const Bounds model_box = std::visit([](const auto& s) { return bounds(s); }, *from.shape);
@@ -225,65 +220,6 @@ class Planner {
     return planned_motion(path, model_box, pixels * pixel);
   }
 
-  static bool driven(const PlannedMaterial& material, TextureSlot slot) {
-    return material.textures && (*material.textures)[slot].texture;
-  }
-
-  /// Those in force, found once for each set.
-  std::shared_ptr<const TextureSet> textures(const std::shared_ptr<const TextureSet>& from) {
-    if (!from) {
-      return nullptr;
-    }
-    const auto [entry, added] = textures_.try_emplace(from.get());
-    if (added) {
-      entry->second = in_force(from, plan_.options);
-    }
-    return entry->second;
-  }
-
-  std::uint32_t material(const Instance& from) {
-    const MaterialUse use{from.material.get(), from.textures.get()};
-    if (use == last_use_) {
-      return last_material_;
-    }
-    const auto [entry, added] =
-        materials_.try_emplace(use, static_cast<std::uint32_t>(plan_.materials.size()));
-    if (added) {
-      plan_.materials.push_back(planned(*from.material, textures(from.textures)));
-      kept_.emplace_back(from.material, from.textures);  // so that addresses stay their own
-    }
-    last_use_ = use;
-    last_material_ = entry->second;
-    return last_material_;
-  }
-
-  PlannedMaterial planned(const Material& from, std::shared_ptr<const TextureSet> textures) {
-    const RenderOptions& options = plan_.options;
-    PlannedMaterial to{from};
-    plan_.footprints |= textures && options.texture_filter;
-    to.textures = std::move(textures);
-    if (!options.refraction) {
-      to.opacity = 1.0;
-    }
-    if (!options.glossy) {
-      to.glossiness = 0.0;
-    }
-    to.plain = {to.kd, to.ks, to.opacity};
-    to.transmissive = to.opacity < 1.0 || driven(to, TextureSlot::opacity);
-    const double brightest = max_abs(to.ks) * brightest_light_;
-    if (to.shininess > 0.0 && brightest > 0.0 && !driven(to, TextureSlot::ks)) {
-      to.least_r_dot_v =
-          std::pow(negligible_light(options, job_.lights.size()) / brightest, 1.0 / to.shininess);
-    }
-    const bool mirrors = to.transmissive || to.reflectivity != Rgb(0.0);
-    if (mirrors && to.glossiness > 0.0) {
-      to.lobe.emplace(2.0 / (to.glossiness * to.glossiness) - 2.0);
-      plan_.random = true;
-    }
-    plan_.absorbs |= to.transmissive && to.absorption != Rgb(0.0);
-    return to;
-  }
-
   /// Where some medium absorbs, clear glass displaces it: shadow rays have to meet its surface.
   void let_clear_glass_dim() {
     for (PlannedInstance& instance : plan_.instances) {
@@ -291,16 +227,6 @@ class Planner {
         instance.shadow = Shadow::dims;
       }
     }
-  }
-
-  static Shadow shadow_of(const PlannedMaterial& material) {
-    if (!material.transmissive) {
-      return Shadow::blocks;
-    }
-    return !driven(material, TextureSlot::opacity) && material.opacity == 0.0 &&
-                   material.absorption == Rgb(0.0)
-               ? Shadow::none
-               : Shadow::dims;
   }
 
   /// Its index in the table of its kind.
@@ -338,25 +264,13 @@ class Planner {
     return std::make_unique<const BoxTree>(boxes);
   }
 
-  /// What a planned material is made from, by address.
-  struct MaterialUse {
-    const Material* material;
-    const TextureSet* textures;
-    auto operator<=>(const MaterialUse&) const = default;
-  };
-
   const RenderJob& job_;
   Vec3 eye_{0.0};  ///< when the shutter opens
   RenderPlan plan_;
+  MaterialPlanner materials_{job_, plan_};
   bool extended_lights_ = false;
   Bounds all_bounded_;  ///< holds plan_.bounded
-  std::vector<std::pair<std::shared_ptr<const Material>, std::shared_ptr<const TextureSet>>> kept_;
-  double brightest_light_ = 0.0;
-  std::map<MaterialUse, std::uint32_t> materials_;
-  MaterialUse last_use_{};
-  std::uint32_t last_material_ = 0;
   std::array<std::pair<std::shared_ptr<const Shape>, std::uint32_t>, 64> recent_shapes_{};
-  std::unordered_map<const TextureSet*, std::shared_ptr<const TextureSet>> textures_;
   std::unordered_map<const MeshData*, std::uint32_t> meshes_;
 };
 
