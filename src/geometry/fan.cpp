@@ -212,8 +212,4 @@ std::optional<Span> stopped(const Shape& shape, const Fan& fan) {
   return std::visit([&](const auto& s) { return stopped_by(s, fan); }, shape);
 }
 
-bool has_spans(const Shape& shape) {
-  return convex(shape) && !std::holds_alternative<Plane>(shape);
-}
-
 }  // namespace rt

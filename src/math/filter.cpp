@@ -26,8 +26,8 @@ double tent_offset(double u) {
 }
 
 // -log(1 - q) for q in [0, 0.99]. With 1 - q = 2^-k m, m in (1/2, 1], it is k log 2 + 2 artanh(f),
-// f = (1 - m)/(1 + m) < 1/3: fourteen terms of its series leave less than 1e-15. For k = 0, f =
-// q/(2 - q) keeps the digits of a small q. The library's function would do but for its last bit,
+// f = (1 - m)/(1 + m) < 1/3: fourteen terms of its series leave less than 2^-49 of it. For k = 0, f
+// = q/(2 - q) keeps the digits of a small q. The library's function would do but for its last bit,
 // which differs between its versions, and for its being one at a time.
 template <class Real>
 Real minus_log1m(const Real& q) {

@@ -104,14 +104,6 @@ Vec3 to_cone(const Vec2& u, const Cone& cone) {
   return {d * std::sqrt(h * std::max(0.0, 2.0 - height)), 1.0 - height};
 }
 
-Wide3 to_cone(const Wide2& u, const Wide& one_minus_cos) {
-  const Wide2 d = to_disc(u);
-  const Wide& h = one_minus_cos;
-  const Wide height = h * (d.x * d.x + d.y * d.y);
-  const Wide s = sqrt(h * max(Wide(0.0), 2.0 - height));
-  return {d.x * s, d.y * s, 1.0 - height};
-}
-
 // With d the distance of the centre, h = 1 - cos of the cone and q = 1 - cos of the direction
 // drawn, the near side stands at t = d cos - sqrt(radius^2 - d^2 sin^2). Now radius^2 / d^2 = h (2
 // - h) and sin^2 = q (2 - q); their difference factors into (h - q)(2 - h - q). The product of the
@@ -133,27 +125,6 @@ std::optional<SphereSample> sample_sphere(const Vec2& u, const Vec3& p, const Ve
   const double half_chord = d * std::sqrt(std::max(0.0, (h - q) * (2.0 - h - q)));
   const double t = (d - radius) * (d + radius) / (d * (1.0 - q) + half_chord);
   return SphereSample{frame_about(to_centre / d).to_world(local), t, cone.pdf()};
-}
-
-WideSphereSample sample_sphere(const Wide2& u, const Wide3& p, const Vec3& centre, double radius) {
-  const Wide3 to_centre = Wide3(centre) - p;
-  const Wide d = length(to_centre);
-  const Wide ratio = radius / d;
-  const Wide cos_cone = sqrt((d - radius) * (d + radius)) / d;
-  const Wide h = ratio * ratio / (1.0 + cos_cone);
-  const Wide3 local = to_cone(u, h);
-  const Wide r = max(abs(2.0 * u.x - 1.0), abs(2.0 * u.y - 1.0));
-  const Wide q = h * r * r;
-  const Wide half_chord = d * sqrt(max(Wide(0.0), (h - q) * (2.0 - h - q)));
-  const Wide t = (d - radius) * (d + radius) / (d * (1.0 - q) + half_chord);
-  // As frame_about().
-  const Wide3 z = to_centre / d;
-  const Wide sign = select(stdx::signbit(z.z), Wide(-1.0), Wide(1.0));
-  const Wide a = -1.0 / (sign + z.z);
-  const Wide b = z.x * z.y * a;
-  const Wide3 x{1.0 + sign * z.x * z.x * a, sign * b, -sign * z.x};
-  const Wide3 y{b, sign + z.y * z.y * a, -z.y};
-  return {local.x * x + local.y * y + local.z * z, t, d > radius};
 }
 
 }  // namespace rt

@@ -30,8 +30,7 @@ void uniform_row(PixelSampler& sampler, int x, int y, int count, std::span<Rgb> 
     wanted.clear();
     const std::int64_t end = std::min(all, begin + at_once);
     for (std::int64_t i = begin; i < end; ++i) {
-      wanted.push_back({x + static_cast<int>(i / count), y, static_cast<std::uint32_t>(i % count),
-                        count == 1});
+      wanted.push_back({x + static_cast<int>(i / count), y, static_cast<std::uint32_t>(i % count)});
     }
     sampler.take_all(wanted, values, statistics);
     for (std::size_t i = 0; i < wanted.size(); ++i) {

@@ -29,7 +29,4 @@ struct Span {
 /// that are not convex, and from inside or as near as `nearest`. Then rays must.
 std::optional<Span> stopped(const Shape& shape, const Fan& fan);
 
-/// Whether stopped() can answer for this kind of shape at all.
-bool has_spans(const Shape& shape);
-
 }  // namespace rt

@@ -14,14 +14,6 @@ inline Wide3 reflect(const Wide3& d, const Wide3& n) { return d - 2.0 * dot(d, n
 Wide3 refract(const Wide3& d, const Wide3& n, const Wide& n1, const Wide& n2, WideMask& through);
 
 Wide2 to_disc(const Wide2& u);
-Wide3 to_cone(const Wide2& u, const Wide& one_minus_cos);
-
-struct WideSphereSample {
-  Wide3 direction;
-  Wide distance;
-  WideMask outside;  ///< the lanes whose p is outside the sphere; the others hold nothing
-};
-WideSphereSample sample_sphere(const Wide2& u, const Wide3& p, const Vec3& centre, double radius);
 
 Wide2 filter_offset(Filter filter, const Wide2& u);
 

@@ -32,15 +32,6 @@ class WideSampler {
   }
 
   Wide2 pixel() const { return draw2(keys_, points_, 0, 0, 1); }
-  Wide2 lens() const { return draw2(keys_, points_, 1, 5, 7); }
-  Wide2 light(Vertex v = {}) const {
-    if ((v.order | v.copy) == 0) {
-      return draw2(keys_, points_, 3, 2, 3);
-    }
-    const Keys keys = combined((std::uint64_t{v.order} << 32) | v.copy);
-    return v.order == 0 ? draw2(keys, points_, 3, 2, 3)
-                        : draw2(keys, shuffled(combined(std::uint64_t{v.order} << 32)), 3, 0, 1);
-  }
 
  private:
   using Words = stdx::rebind_simd_t<std::uint32_t, Wide>;
@@ -56,9 +47,6 @@ class WideSampler {
       out[i] = f(keys[i]);
     }
     return out;
-  }
-  Keys combined(std::uint64_t value) const {
-    return each_key(keys_, [&](std::uint64_t key) { return combine(key, value); });
   }
   Keys mixed(const Keys& keys, std::uint64_t multiple) const {
     return each_key(keys, [&](std::uint64_t key) { return mix64(key + multiple * golden64); });

@@ -8,8 +8,7 @@
 
 namespace rt {
 
-/// The means over `count` samples of each pixel from (x, y) to the right; a single one is taken at
-/// the pixel's centre.
+/// The means over `count` samples of each pixel from (x, y) to the right.
 void uniform_row(PixelSampler& sampler, int x, int y, int count, std::span<Rgb> row,
                  RenderStatistics& statistics);
 

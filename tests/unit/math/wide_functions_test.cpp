@@ -60,44 +60,16 @@ TEST(WideFunctions, ReflectAndRefract) {
   EXPECT_GT(reflected, packets / 10);
 }
 
-TEST(WideFunctions, Warps) {
+TEST(WideFunctions, ToDisc) {
   Arguments random(3);
-  const std::vector<double> cones{0.0, 1.0, 2.0, 1e-16, 1e-300};
   for (int k = 0; k < packets; ++k) {
     const auto u = drawn([&] { return random.square(); });
-    const auto h = drawn([&] { return random.pick(cones, 0, 2); });
     const Wide2 disc = to_disc(packed(u));
-    const Wide3 cone = to_cone(packed(u), packed(h));
     for (int i = 0; i < lanes; ++i) {
       const auto at = static_cast<std::size_t>(i);
       ASSERT_TRUE(same(disc.lane(i), to_disc(u[at]))) << u[at].x << ' ' << u[at].y;
-      ASSERT_TRUE(same(cone.lane(i), to_cone(u[at], {h[at]}))) << u[at].x << ' ' << u[at].y;
     }
   }
-}
-
-TEST(WideFunctions, SampleSphere) {
-  Arguments random(4);
-  int inside = 0;
-  for (int k = 0; k < packets; ++k) {
-    const Vec3 centre(random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2));
-    const double radius = random.pick({0.0, 1e-8, 1.0}, 0, 2);
-    const auto u = drawn([&] { return random.square(); });
-    const auto p = drawn([&] {
-      const double away = random.pick({0.0, 0.5, 1.0, 1 + 0x1p-52, 1 + 1e-8, 1e8}, 0, 4);
-      return centre + radius * away * random.direction_or_axis();
-    });
-    const WideSphereSample wide = sample_sphere(packed(u), packed(p), centre, radius);
-    for (int i = 0; i < lanes; ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      const auto one = sample_sphere(u[at], p[at], centre, radius);
-      ASSERT_EQ(bool{wide.outside[at]}, one.has_value());
-      ASSERT_TRUE(!one || same(wide.direction.lane(i), one->direction));
-      ASSERT_TRUE(!one || same(wide.distance[at], one->distance));
-      inside += !one;
-    }
-  }
-  EXPECT_GT(inside, packets / 2);
 }
 
 TEST(WideFunctions, FilterOffset) {

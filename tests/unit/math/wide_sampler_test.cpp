@@ -15,11 +15,10 @@ void expect_same(const WideSampler& wide, const test::Lanes<std::optional<Sample
   for (int i = 0; i < lanes; ++i) {
     const Sampler& one = *alone[static_cast<std::size_t>(i)];
     ASSERT_TRUE(same(wide.pixel().lane(i), one.pixel())) << i;
-    ASSERT_TRUE(same(wide.lens().lane(i), one.lens())) << i;
     ASSERT_TRUE(same(wide.lane(i).lens(), one.lens())) << i;
     ASSERT_EQ(wide.lane(i).time(), one.time()) << i;
     for (const Vertex& v : vertices) {
-      ASSERT_TRUE(same(wide.light(v).lane(i), one.light(v)))
+      ASSERT_TRUE(same(wide.lane(i).light(v), one.light(v)))
           << i << ' ' << v.order << ' ' << v.copy;
       ASSERT_TRUE(same(wide.lane(i).lobe(v), one.lobe(v))) << i << ' ' << v.order << ' ' << v.copy;
       ASSERT_EQ(wide.lane(i).lobe_choice(v), one.lobe_choice(v)) << i;
