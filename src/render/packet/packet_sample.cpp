@@ -63,6 +63,7 @@ void PacketSampler::take_packet(std::span<const PixelSample> wanted,
   const auto count = static_cast<unsigned>(wanted.size());
   const bool lens = plan.camera.lens_radius > 0.0;
   const bool centres = wanted[0].at_centre;
+  const bool draws = plan.random || lens || !centres;
   WideSampler sampler;
   Wide2 corner;
   for (int i = 0; i < lanes; ++i) {
@@ -70,12 +71,12 @@ void PacketSampler::take_packet(std::span<const PixelSample> wanted,
     const PixelSample& s = wanted[std::min<std::size_t>(at, count - 1)];
     corner.x[at] = s.x;
     corner.y[at] = s.y;
-    if (plan.random || lens || !centres) {
+    if (draws) {
       sampler.set(i, plan.options.seed, s.x, s.y, s.index);
     }
   }
   Wide2 offset{0.5, 0.5};
-  if (plan.random || lens || !centres) {
+  if (draws) {
     sampler.begin();
     if (!centres) {
       const Wide2 by = filter_offset(plan.options.filter, sampler.pixel());
