@@ -15,7 +15,7 @@ constexpr double side = 4.0;  ///< of the cube that the subjects fill
 const Vec3 light(3.0, 8.0, 5.0);
 
 Instance instance_of(std::shared_ptr<const Shape> shape, std::shared_ptr<const Material> material) {
-  return {{}, {}, std::move(shape), std::move(material), nullptr, "thing"};
+  return {{}, std::move(shape), std::move(material), nullptr, "thing"};
 }
 
 }  // namespace

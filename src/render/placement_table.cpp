@@ -32,7 +32,7 @@ std::uint32_t appended(std::vector<T>& to, T entry) {
 
 template <class T>
 std::size_t bytes_of(const std::vector<T>& v) {
-  return v.capacity() * sizeof(T);
+  return v.size() * sizeof(T);
 }
 
 }  // namespace

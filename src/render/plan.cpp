@@ -155,14 +155,8 @@ class Planner {
     auto shine = std::make_shared<Material>();
     shine->kd = Rgb(0.0);
     shine->emission = light.colour;
-    const auto back = inverse(world_from_model);
-    return {world_from_model,
-            back ? *back : Affine{},
-            std::make_shared<const Shape>(shape),
-            shine,
-            nullptr,
-            light.where,
-            path_of(light, world_from_model)};
+    return {world_from_model, std::make_shared<const Shape>(shape), shine, nullptr,
+            light.where,      path_of(light, world_from_model)};
   }
 
   void place(const Instance& from) {
@@ -197,16 +191,15 @@ class Planner {
   }
 
   Placement at_open(const Instance& from) const {
-    Affine to_render = from.world_from_model;
-    Affine to_model = from.model_from_world;
-    if (from.motion) {
-      to_render = from.motion->at(time_at(0.0));
-      to_model = inverse(to_render).value_or(to_model);
+    const Affine in_world = from.motion ? from.motion->at(time_at(0.0)) : from.world_from_model;
+    const Affine to_render{in_world.linear, in_world.offset - eye_};
+    if (const auto to_model = inverse(to_render)) {
+      return {to_render, *to_model};
     }
-    to_render.offset -= eye_;
-    // The graph has been checked: if the world's map has an inverse, so has one that is only moved.
+    // The graph has been checked: its own map has an inverse, though one moved so far has none.
+    Affine to_model = inverse(in_world).value_or(Affine{});
     to_model.offset = to_model.point(eye_);
-    return {to_render, inverse(to_render).value_or(to_model)};
+    return {to_render, to_model};
   }
 
   PlannedMotion moving(const Instance& from, const Bounds& model_box) const {

@@ -125,8 +125,7 @@ class Flattener {
              const std::shared_ptr<const MotionPath>& above, const Paint& paint) {
     const auto path = above ? extended(above, {above_from_model, nullptr}) : nullptr;
     const Affine world_from_model = path ? path->at(0.0) : above_from_model;
-    const auto model_from_world = inverse(world_from_model);
-    if (!model_from_world) {
+    if (!inverse(world_from_model)) {
       throw SceneError(fmt::format(
           "the transforms above and at node {} multiply to one that cannot be inverted: "
           "their scales are too extreme or not finite",
@@ -136,7 +135,7 @@ class Flattener {
       refuse(node);
     }
     cover_.show(node, paint.textures.get(), paint.group.get());
-    result_.instances.push_back({world_from_model, *model_from_world, node.shape,
+    result_.instances.push_back({world_from_model, node.shape,
                                  paint.material ? paint.material : default_material(node),
                                  paint.textures, node.name, path});
   }

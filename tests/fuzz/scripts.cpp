@@ -31,7 +31,7 @@ void check(const rt::RenderJob& job) {
   for (const rt::Instance& instance : job.instances) {
     if (!instance.shape || !instance.material ||
         !rt::all_finite(instance.world_from_model.offset) ||
-        !rt::all_finite(instance.model_from_world.offset)) {
+        !rt::inverse(instance.world_from_model)) {
       std::abort();
     }
   }

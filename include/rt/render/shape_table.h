@@ -44,7 +44,7 @@ class ShapeColumns<std::variant<S...>> {
 
   std::size_t bytes() const {
     return std::apply(
-        [](const auto&... column) { return (... + (column.capacity() * sizeof(*column.data()))); },
+        [](const auto&... column) { return (... + (column.size() * sizeof(*column.data()))); },
         columns_);
   }
 

@@ -13,7 +13,7 @@ namespace rt {
 
 /// One call of gr.render: a snapshot that owns all it needs.
 struct RenderJob {
-  std::vector<Instance> instances;
+  InstanceList instances;
   Camera camera;
   Rgb ambient{0.0};
   std::vector<Light> lights;

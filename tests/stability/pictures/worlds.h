@@ -39,7 +39,7 @@ class World {
   void add(const Shape& shape, const Affine& world_from_model, const Material& material) {
     const Affine whole =
         Affine::translation(at_.offset) * Affine::scaling(Vec3(at_.scale)) * world_from_model;
-    job_.instances.push_back({whole, *inverse(whole), std::make_shared<const Shape>(shape),
+    job_.instances.push_back({whole, std::make_shared<const Shape>(shape),
                               std::make_shared<const Material>(material), nullptr, "test"});
   }
   RenderJob& job() { return job_; }

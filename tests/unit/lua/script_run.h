@@ -78,9 +78,7 @@ class ScriptTest : public testing::Test {
     return jobs_.back();
   }
 
-  const Instance& instance_of_root(const std::string& text) {
-    return job_of_root(text).instances.at(0);
-  }
+  Instance instance_of_root(const std::string& text) { return job_of_root(text).instances.at(0); }
 
   template <class S>
   S shape_of(const std::string& expression) {

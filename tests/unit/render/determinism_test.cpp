@@ -81,9 +81,10 @@ TEST(Determinism, EveryWayToFindCandidatesFindsTheSame) {
 TEST(Determinism, SearchesFindTheSameFarFromTheOrigin) {
   for (const double offset : {0.0, 1e5, 1e7}) {
     RenderJob job = test::mixed_scene(160, 120);
-    for (Instance& instance : job.instances) {
-      instance.world_from_model.offset += Vec3(offset, -offset, offset);
-      instance.model_from_world = *inverse(instance.world_from_model);
+    for (std::size_t i = 0; i < job.instances.size(); ++i) {
+      Instance moved = job.instances[i];
+      moved.world_from_model.offset += Vec3(offset, -offset, offset);
+      job.instances.replace(i, moved);
     }
     for (Light& light : job.lights) {
       light.position += Vec3(offset, -offset, offset);

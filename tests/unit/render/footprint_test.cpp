@@ -1,6 +1,7 @@
 // Ray differentials against differences of neighbouring rays, and against closed forms.
 #include <gtest/gtest.h>
 
+#include "pictures.h"
 #include "probe.h"
 #include "rt/math/fresnel.h"
 #include "rt/render/footprint.h"
@@ -199,9 +200,7 @@ TEST(Footprint, IsNotTrackedWithoutTextures) {
   RenderJob j = job();
   back_wall(j, -3);
   EXPECT_FALSE(make_plan(j).footprints);
-  auto set = std::make_shared<TextureSet>();
-  (*set)[TextureSlot::kd].texture = std::make_shared<const Texture>(Checker{});
-  j.instances.back().textures = set;
+  test::paint(j, Checker{});
   EXPECT_TRUE(make_plan(j).footprints);
   j.options.texture_filter = false;
   EXPECT_FALSE(make_plan(j).footprints);

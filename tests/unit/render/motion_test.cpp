@@ -22,10 +22,16 @@ Material shining() {
   return m;
 }
 
+void give_last(RenderJob& job, std::shared_ptr<const MotionPath> path) {
+  Instance last = job.instances.back();
+  last.motion = std::move(path);
+  job.instances.replace(job.instances.size() - 1, last);
+}
+
 void add_moving(RenderJob& job, const Shape& shape, const Affine& placed, const Material& material,
                 std::shared_ptr<const Motion> motion) {
   test::add(job, shape, placed, material);
-  job.instances.back().motion = extended(nullptr, {placed, std::move(motion)});
+  give_last(job, extended(nullptr, {placed, std::move(motion)}));
 }
 
 /// A camera that sees the square from -0.5 to 0.5 of the plane z = 0, nearly in parallel.
@@ -94,8 +100,8 @@ RenderJob all_moving() {
   inner.translate = {0, 0.5, 0};
   const Material m = test::matt({0.8, 0.3, 0.2});
   add_moving(job, Box{}, Affine::translation({-1, 0, 2.5}), m, moving(outer));
-  job.instances.back().motion =
-      extended(job.instances.back().motion, {Affine::scaling(Vec3(0.5)), moving(inner)});
+  give_last(job,
+            extended(job.instances.back().motion, {Affine::scaling(Vec3(0.5)), moving(inner)}));
   job.lights[0].travel = {-3, 1, 0};
   auto to = std::make_shared<Camera>(job.camera);
   to->eye += Vec3(0.3, 0.1, 0);

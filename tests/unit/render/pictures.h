@@ -50,10 +50,12 @@ inline Texture coordinates_picture() {
 /// Gives the instance added last a texture.
 inline void paint(RenderJob& job, const Texture& texture, TextureSlot slot = TextureSlot::kd,
                   double strength = 1.0) {
-  auto& textures = job.instances.back().textures;
-  auto set = textures ? std::make_shared<TextureSet>(*textures) : std::make_shared<TextureSet>();
+  Instance last = job.instances.back();
+  auto set =
+      last.textures ? std::make_shared<TextureSet>(*last.textures) : std::make_shared<TextureSet>();
   (*set)[slot] = {std::make_shared<const Texture>(texture), strength};
-  textures = set;
+  last.textures = set;
+  job.instances.replace(job.instances.size() - 1, last);
 }
 
 }  // namespace rt::test

@@ -14,8 +14,7 @@ inline Material matt(const Rgb& kd) {
 
 inline void add(RenderJob& job, const Shape& shape, const Affine& world_from_model,
                 const Material& material) {
-  job.instances.push_back({world_from_model, *inverse(world_from_model),
-                           std::make_shared<const Shape>(shape),
+  job.instances.push_back({world_from_model, std::make_shared<const Shape>(shape),
                            std::make_shared<const Material>(material), nullptr, "test"});
 }
 

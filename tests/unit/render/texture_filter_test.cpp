@@ -221,7 +221,9 @@ RenderJob painted_scene() {
     const Texture chosen = i % 3 == 0 ? Texture(Checker{}) : i % 3 == 1 ? noise : picture;
     (*set)[TextureSlot::kd].texture = std::make_shared<const Texture>(chosen);
     (*set)[TextureSlot::bump] = {std::make_shared<const Texture>(noise), 0.03};
-    job.instances[i].textures = set;
+    Instance painted = job.instances[i];
+    painted.textures = set;
+    job.instances.replace(i, painted);
   }
   job.options.samples = 0;
   return job;
