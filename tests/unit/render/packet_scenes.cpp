@@ -144,9 +144,10 @@ namespace {
 
 /// The scene moved as a whole: render space stays where the eye is.
 RenderJob moved(RenderJob job, const Vec3& by) {
-  for (Instance& instance : job.instances) {
-    instance.world_from_model.offset += by;
-    instance.model_from_world = *inverse(instance.world_from_model);
+  for (std::size_t i = 0; i < job.instances.size(); ++i) {
+    Instance there = job.instances[i];
+    there.world_from_model.offset += by;
+    job.instances.replace(i, there);
   }
   for (Light& light : job.lights) {
     light.position += by;
