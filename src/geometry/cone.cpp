@@ -36,13 +36,29 @@ Chord chord_of(const PointedCone&, const Ray& ray, const Recentred& line,
   return chord;
 }
 
+/// Where a ray that starts on the side comes out of it. One root of the quadratic is 0; the other
+/// has lost its digits where it is so near to the apex that the way there is long beside the
+/// cone's width: then it is that of the line as seen from there.
+double exit_from_side(const Ray& ray) {
+  const Vec3& o = ray.origin;
+  const Vec3& d = ray.direction;
+  const double t = NappeQuadratic(side, o, d).exit_from_surface();
+  const double squared = glm::dot(d, d);
+  if (!(t < infinity && std::abs(side.width_at(o.y + t * d.y)) < t * t * squared)) {
+    return t;
+  }
+  Chord seen_from_apex;
+  clip_side(seen_from_apex, ray, {o, 0, 0}, squared);
+  return seen_from_apex.empty() ? t : std::max(0.0, seen_from_apex.t_out);
+}
+
 /// Where a ray that starts on feature `left`, going inward, comes out.
 OptionalHit leave(const PointedCone&, const Ray& ray, double t_max, std::uint32_t left) {
   const Vec3& o = ray.origin;
   const Vec3& d = ray.direction;
   Chord chord;
   if (left == side_feature) {
-    chord.clip(0, side_feature, NappeQuadratic(side, o, d).exit_from_surface(), side_feature);
+    chord.clip(0, side_feature, exit_from_side(ray), side_feature);
   } else {
     clip_side(chord, ray, {o, 0, 0}, glm::dot(d, d));
   }

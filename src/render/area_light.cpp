@@ -29,36 +29,34 @@ bool shines(const Phong& phong, const ShadingPoint& point, const Vec3& view,
 
 }  // namespace
 
-std::optional<Rgb> area_light(const RenderPlan& plan, std::size_t index, const Phong& phong,
-                              const ShadingPoint& point, const Vec3& view, const Sampler& sampler,
-                              const Vertex& vertex, double negligible, ShadowCache& cache,
-                              RayCounts& counts) {
-  const Light& light = plan.lights[index];
-  // Relative to the light: one that moves is still for a point that moves against it.
-  const Vec3 p = point.position - point.time * light.travel;
-  const auto seen = SeenLight::from(p, light);
-  const Candidates candidates = seen ? cache.towards(index, point.position, true) : Candidates{};
+std::optional<Rgb> area_light(const RenderPlan& plan, std::size_t index, const SeenLight& seen,
+                              const Phong& phong, const ShadingPoint& point, const Vec3& view,
+                              const Sampler& sampler, const Vertex& vertex, double negligible,
+                              ShadowCache& cache, RayCounts& counts) {
+  const PlannedLight& light = plan.lights[index];
+  const Candidates candidates = cache.towards(index, point.position, true);
   if (!candidates.known) {
     return std::nullopt;
   }
   const Vec3& n = point.shading_normal;
-  if (seen->above(-point.normal) || seen->above(-n)) {
+  if (seen.above(-point.normal) || seen.above(-n)) {
     return Rgb(0.0);
   }
   ++counts.shadow;
-  Blockers blockers(plan, candidates, point, *seen);
+  Blockers blockers(plan, candidates, point, seen);
   const bool even = light.falloff.c1 == 0.0 && light.falloff.c2 == 0.0;
-  const bool smooth = even && !shines(phong, point, view, *seen);
-  const Rgb diffuse = phong.kd * falloff(light, glm::length(light.position - p));
-  const double mean = seen->mean_cosine(n);
+  const bool smooth = even && !shines(phong, point, view, seen);
+  const double away = even ? 0.0 : glm::length(light.position - relative_to(light, point));
+  const Rgb diffuse = phong.kd * falloff(light, away);
+  const double mean = seen.mean_cosine(n);
   if (smooth && !(max_abs(diffuse * light.colour) * mean > negligible)) {
     return Rgb(0.0);
   }
   if (blockers.none() && smooth && n == point.normal) {
     return diffuse * light.colour * mean;
   }
-  const Lines lines(point, *seen, blockers);
-  const Vec2 place = seen->point_of(seen->sample(sampler.light(vertex)));
+  const Lines lines(point, seen, blockers);
+  const Vec2 place = seen.point_of(seen.sample(sampler.light(vertex)));
   const LightLine line = lines.through(place);
   const VisibleParts parts(line, blockers, blockers.others);
   Rgb sum = diffuse * lines.cosine(line, parts, mean);
@@ -66,7 +64,7 @@ std::optional<Rgb> area_light(const RenderPlan& plan, std::size_t index, const P
   if (!told && parts.angle() > 0.0) {
     const double from_end = line.angle_to(place.x) - line.angle_to(line.lo);
     const Vec3 way = parts.direction(from_end / line.angle());
-    const double distance = seen->distance(way);
+    const double distance = seen.distance(way);
     const Candidates rest{true, blockers.dims, blockers.others.span()};
     const auto arrives =
         visibility(plan, rest, point, way, free_distance(point, light, distance), counts);

@@ -26,19 +26,21 @@ LightSample sample_around(const Vec3& from_centre, double radius, const Vec2& u)
 
 }  // namespace
 
-LightSample sample_light(const Light& light, const ShadingPoint& point, const Sampler& sampler,
+Vec3 relative_to(const Light& light, const ShadingPoint& point) {
+  return point.position - point.time * light.travel;
+}
+
+LightSample sample_light(const PlannedLight& light, const ShadingPoint& point, const Sampler& sampler,
                          const Vertex& vertex) {
-  // Everything is relative to the light: one that moves is still for a point that moves against it.
-  const Vec3 p = point.position - point.time * light.travel;
+  const Vec3 p = relative_to(light, point);
   if (light.radius > 0.0) {
     const Vec2 u = sampler.light(vertex);
     const auto s = sample_sphere(u, p, light.position, light.radius);
     return s ? LightSample{s->direction, s->distance}
              : sample_around(p - light.position, light.radius, u);
   }
-  if (light.rectangle) {
-    const auto& [u, v] = *light.rectangle;
-    const SphericalRectangle seen(p, light.position - 0.5 * (u + v), u, v);
+  if (light.edges) {
+    const SphericalRectangle seen(*light.edges, light.first_corner() - p);
     if (!(seen.solid_angle() > 0.0)) {
       return {Vec3(0.0), 1.0, 0.0};
     }
@@ -119,13 +121,26 @@ double free_distance(const ShadingPoint& from, const Light& light, double distan
 Rgb direct_light(const RenderPlan& plan, std::size_t index, const Phong& phong,
                  const ShadingPoint& point, const Vec3& view, const Sampler& sampler,
                  const Vertex& vertex, double negligible, ShadowCache& cache, RayCounts& counts) {
-  const Light& light = plan.lights[index];
+  const PlannedLight& light = plan.lights[index];
+  std::optional<SeenLight> seen;
+  if (light.extended() && !(is_black(phong.kd) && is_black(phong.ks))) {
+    seen = SeenLight::from(relative_to(light, point), light);
+  }
+  return direct_light(plan, index, seen, phong, point, view, sampler, vertex, negligible, cache,
+                      counts);
+}
+
+Rgb direct_light(const RenderPlan& plan, std::size_t index, const std::optional<SeenLight>& seen,
+                 const Phong& phong, const ShadingPoint& point, const Vec3& view,
+                 const Sampler& sampler, const Vertex& vertex, double negligible,
+                 ShadowCache& cache, RayCounts& counts) {
+  const PlannedLight& light = plan.lights[index];
   if (is_black(phong.kd) && is_black(phong.ks)) {
     return Rgb(0.0);
   }
-  if (light.radius > 0.0 || light.rectangle) {
-    if (const auto sum = area_light(plan, index, phong, point, view, sampler, vertex, negligible,
-                                    cache, counts)) {
+  if (seen) {
+    if (const auto sum = area_light(plan, index, *seen, phong, point, view, sampler, vertex,
+                                    negligible, cache, counts)) {
       return *sum;
     }
   }

@@ -44,7 +44,7 @@ Counts counts_of(const RenderPlan& plan) {
     c.glossy += m.lobe ? 1 : 0;
     c.absorbing += m.transmissive && m.absorption != Rgb(0.0) ? 1 : 0;
   }
-  for (const Light& light : plan.lights) {
+  for (const PlannedLight& light : plan.lights) {
     ++(light.radius > 0.0 || light.rectangle ? c.extended : c.points);
   }
   return c;

@@ -6,6 +6,9 @@
 
 namespace rt {
 
+/// A point relative to a light that moves: where it is when the light is taken to stand still.
+Vec3 relative_to(const Light& light, const ShadingPoint& point);
+
 /// How a light dims with distance.
 double falloff(const Light& light, double distance);
 
@@ -25,9 +28,9 @@ double free_distance(const ShadingPoint& from, const Light& light, double distan
 
 /// direct_light() for an extended light of which few things can hide anything, those known. Empty
 /// where it does not apply.
-std::optional<Rgb> area_light(const RenderPlan& plan, std::size_t index, const Phong& phong,
-                              const ShadingPoint& point, const Vec3& view, const Sampler& sampler,
-                              const Vertex& vertex, double negligible, ShadowCache& cache,
-                              RayCounts& counts);
+std::optional<Rgb> area_light(const RenderPlan& plan, std::size_t index, const SeenLight& seen,
+                              const Phong& phong, const ShadingPoint& point, const Vec3& view,
+                              const Sampler& sampler, const Vertex& vertex, double negligible,
+                              ShadowCache& cache, RayCounts& counts);
 
 }  // namespace rt

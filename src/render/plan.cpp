@@ -118,17 +118,17 @@ class Planner {
       light.radius = 0.0;
       light.rectangle.reset();
     }
-    const bool extended = light.radius > 0.0 || light.rectangle;
-    plan_.random |= extended;
-    extended_lights_ |= extended;
-    if (extended && light.visible) {
+    PlannedLight planned(light);
+    plan_.random |= planned.extended();
+    extended_lights_ |= planned.extended();
+    if (planned.extended() && light.visible) {
       place(shape_of(light));
       plan_.instances.back().shadow = Shadow::none;
     }
-    light.position += time_at(0.0) * light.travel - eye_;
-    light.travel *= shutter_opens() ? time_at(1.0) - time_at(0.0) : 0.0;
-    plan_.moves |= light.travel != Vec3(0.0);
-    plan_.lights.push_back(std::move(light));
+    planned.position += time_at(0.0) * light.travel - eye_;
+    planned.travel *= shutter_opens() ? time_at(1.0) - time_at(0.0) : 0.0;
+    plan_.moves |= planned.travel != Vec3(0.0);
+    plan_.lights.push_back(std::move(planned));
   }
 
   /// The movement of a light's shape; null when it stands still.

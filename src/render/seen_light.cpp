@@ -15,23 +15,36 @@ namespace {
 constexpr double widest = 0x1p16;
 
 /// The angle that an edge from a to b subtends, at a distance from its line.
-double subtended(double a, double b, double distance) {
-  return arctan2(distance * (b - a), distance * distance + a * b);
+template <class T>
+T subtended(const T& a, const T& b, const T& distance) {
+  return arctan2(T(distance * (b - a)), T(distance * distance + a * b));
 }
 
-/// The mean of unit directions over a rectangle at distance 1: half the sum of its edges' angles
-/// times the normals of their planes (Lambert), over the solid angle.
-Vec3 mean_over(const SphericalRectangle::AtDistance1& r, double solid_angle) {
-  const auto edge = [](double at, double a, double b) {
-    const double distance = std::sqrt(1.0 + at * at);
+/// The mean is half the sum of the edges' angles times the normals of their planes (Lambert), over
+/// the solid angle.
+template <class T, class V>
+RectangleAhead<T, V> ahead_of(const RectangleEdges& edges, const V& corner,
+                              const RectangleView<T>& v) {
+  using std::copysign;
+  using std::sqrt;
+  RectangleAhead<T, V> r;
+  r.z = copysign(T(1.0), dot(corner, V(edges.normal))) * V(edges.normal);
+  r.x0 = v.x0 / v.z;
+  r.x1 = v.x1 / v.z;
+  r.y0 = v.y0 / v.z;
+  r.y1 = v.y1 / v.z;
+  const auto edge = [](const T& at, const T& a, const T& b) -> T {
+    const T distance = sqrt(1.0 + at * at);
     return subtended(a, b, distance) / distance;
   };
-  const double left = edge(r.x0, r.y0, r.y1);
-  const double right = edge(r.x1, r.y0, r.y1);
-  const double top = edge(r.y0, r.x0, r.x1);
-  const double bottom = edge(r.y1, r.x0, r.x1);
-  const double ahead = r.x1 * right - r.x0 * left + r.y1 * bottom - r.y0 * top;
-  return ((left - right) * r.x + (top - bottom) * r.y + ahead * r.z) * (0.5 / solid_angle);
+  const T left = edge(r.x0, r.y0, r.y1);
+  const T right = edge(r.x1, r.y0, r.y1);
+  const T top = edge(r.y0, r.x0, r.x1);
+  const T bottom = edge(r.y1, r.x0, r.x1);
+  const T ahead = r.x1 * right - r.x0 * left + r.y1 * bottom - r.y0 * top;
+  r.mean = ((left - right) * V(edges.x) + (top - bottom) * V(edges.y) + ahead * r.z) *
+           (0.5 / v.solid_angle);
+  return r;
 }
 
 }  // namespace
@@ -57,26 +70,41 @@ double LightLine::cosine_to(double s, const Vec3& n) const {
                 glm::dot(n, step) * (s * s * inverse));
 }
 
-std::optional<SeenLight> SeenLight::from(const Vec3& p, const Light& light) {
-  SeenLight seen;
-  if (light.rectangle) {
-    const auto& [u, v] = *light.rectangle;
-    const SphericalRectangle& rectangle =
-        seen.rectangle_.emplace(p, light.position - 0.5 * (u + v), u, v);
+SeenLight::SeenLight(const SphericalRectangle& rectangle, const RectangleAhead<double, Vec3>& r)
+    : rectangle_(rectangle),
+      x_(rectangle.edges().x),
+      y_(rectangle.edges().y),
+      z_(r.z),
+      lo_(r.x0, r.y0),
+      hi_(r.x1, r.y1),
+      middle_(0.5 * (lo_ + hi_)),
+      mean_(r.mean),
+      depth_(rectangle.view().z) {}
+
+SeenLight::SeenLight(const WideSphericalRectangle& rectangle, const RectangleAhead<Wide, Wide3>& r,
+                     int lane)
+    : rectangle_(std::in_place, rectangle, lane),
+      x_(rectangle.edges().x),
+      y_(rectangle.edges().y),
+      z_(r.z.lane(lane)),
+      mean_(r.mean.lane(lane)) {
+  const auto at = static_cast<std::size_t>(lane);
+  lo_ = {r.x0[at], r.y0[at]};
+  hi_ = {r.x1[at], r.y1[at]};
+  middle_ = 0.5 * (lo_ + hi_);
+  depth_ = rectangle.view().z[at];
+}
+
+std::optional<SeenLight> SeenLight::from(const Vec3& p, const PlannedLight& light) {
+  if (light.edges) {
+    const SphericalRectangle rectangle(*light.edges, light.first_corner() - p);
     if (rectangle.by_area() || !(rectangle.solid_angle() > 0.0)) {
       return std::nullopt;
     }
-    const auto r = rectangle.at_distance_1();
-    seen.x_ = r.x;
-    seen.y_ = r.y;
-    seen.z_ = r.z;
-    seen.lo_ = {r.x0, r.y0};
-    seen.hi_ = {r.x1, r.y1};
-    seen.middle_ = 0.5 * (seen.lo_ + seen.hi_);
-    seen.mean_ = mean_over(r, rectangle.solid_angle());
-    seen.depth_ = rectangle.distance();
-    return seen;
+    return SeenLight(rectangle,
+                     ahead_of<double>(*light.edges, rectangle.corner(), rectangle.view()));
   }
+  SeenLight seen;
   const Vec3 way = light.position - p;
   const double d = glm::length(way);
   const double free = (d - light.radius) * (d + light.radius);
@@ -93,6 +121,20 @@ std::optional<SeenLight> SeenLight::from(const Vec3& p, const Light& light) {
   seen.mean_ = frame.z * (0.5 * (1.0 + std::sqrt(free) / d));
   seen.depth_ = free / d;  // of the circle where the cone touches the sphere
   return seen;
+}
+
+WideSeenLight::WideSeenLight(const Wide3& p, const PlannedLight& light) : p_(p), light_(light) {
+  if (light.edges) {
+    rectangle_.emplace(*light.edges, Wide3(light.first_corner()) - p);
+    ahead_ = ahead_of<Wide>(*light.edges, rectangle_->corner(), rectangle_->view());
+  }
+}
+
+std::optional<SeenLight> WideSeenLight::lane(int i) const {
+  if (!rectangle_ || !rectangle_->known()[static_cast<std::size_t>(i)]) {
+    return SeenLight::from(p_.lane(i), light_);
+  }
+  return std::optional<SeenLight>(std::in_place, *rectangle_, ahead_, i);
 }
 
 bool SeenLight::above(const Vec3& n) const {
@@ -160,14 +202,22 @@ double SeenLight::disc_cosine(const Vec3& local) const {
   return ((local.z * std::acos(y) - x * z) * square + arctan2(z * radius_, 1.0)) / whole;
 }
 
-// The light lies within a cone about its middle.
+// The light lies within a cone about its middle, of a half-angle `reach` at most: distances in the
+// plane bound those on the sphere. cos(angle - reach), reach's cosine and sine by the first terms
+// of their series, on the safe side.
 double SeenLight::largest_cosine(const Vec3& n) const {
-  const Vec2 half = rectangle_ ? 0.5 * (hi_ - lo_) : Vec2(radius_);
-  const Vec3 axis = glm::normalize(z_ + middle_.x * x_ + middle_.y * y_);
-  // Distances in the plane bound those on the sphere.
-  const double reach = rectangle_ ? glm::length(half) : arctan2(radius_, 1.0);
-  const double angle = std::acos(std::clamp(glm::dot(n, axis), -1.0, 1.0)) - reach;
-  return angle > 0.0 ? std::cos(angle) : 1.0;
+  const double reach = rectangle_ ? 0.5 * glm::length(hi_ - lo_) : radius_;
+  const double to_middle = std::sqrt(1.0 + glm::dot(middle_, middle_));
+  const double cosine = glm::dot(n, z_ + middle_.x * x_ + middle_.y * y_) / to_middle;
+  const double sine = std::sqrt(std::max(0.0, (1.0 - cosine) * (1.0 + cosine)));
+  const double square = reach * reach;
+  const double least = 1.0 - 0.5 * square;
+  if (cosine >= least) {
+    return 1.0;
+  }
+  const double most = least + square * square / 24.0;
+  return cosine * (cosine > 0.0 ? most : least) +
+         sine * reach * (1.0 - square * (1.0 / 6.0 - square / 120.0));
 }
 
 Vec3 SeenLight::sample(const Vec2& u) const {

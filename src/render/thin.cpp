@@ -237,7 +237,7 @@ int thin_pilots(const RenderPlan& plan, int x, int y) {
   // What a pixel covers of a slanted surface is longer; seen from the light it may be again.
   const double cosine = std::abs(glm::dot(point.normal, direction));
   const double radius = beam_pixels * pixel * hit->t / std::max(cosine, 1.0 / farther);
-  for (const Light& light : plan.lights) {
+  for (const PlannedLight& light : plan.lights) {
     const Vec3 way = light.position - point.position;
     const double distance = glm::length(way);
     if (light.radius == 0.0 && !light.rectangle && glm::dot(way, point.normal) > 0.0) {

@@ -82,7 +82,8 @@ TEST(Irradiance, RectangularLight) {
       {{1e3, 1e3, 1e3}, {1, 0, 0}, {0, 1, 0}}};
   int pixel = 0;
   for (const Placement& q : placements) {
-    const SphericalRectangle light({0, 0, 0}, q.corner, q.u, q.v);
+    const RectangleEdges edges(q.u, q.v);
+    const SphericalRectangle light(edges, q.corner);
     const Sampler first(2, ++pixel, 0, 0);
     double sum = 0;
     for (std::uint32_t i = 0; i < spp; ++i) {

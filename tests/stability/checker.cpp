@@ -57,12 +57,17 @@ Comparison compare(const Case& c, const std::optional<First<T>>& exact, const Op
 }
 
 /// How far a point is from the surface along its normal. Points of a rim may miss the shape by a
-/// rounding: those are judged against the shape grown by the resolved gap.
+/// rounding: those are judged against the shape grown by the resolved gap; of a triangle, which
+/// grows in its plane alone, as seen along the ray.
 double distance_along_normal(const Case& c, const SurfacePoint& p) {
   const double step = 0.25 * c.unit;
   const Line<DoubleDouble> line({p.position - step * p.normal, p.normal}, heart_of(c.shape));
   double nearest = std::numeric_limits<double>::infinity();
-  for (const double offset : {0.0, 0.1 * resolved_gap * c.unit}) {
+  const double gap = 0.1 * resolved_gap * c.unit;
+  const double foreshortened =
+      std::abs(glm::dot(p.normal, c.ray.direction)) / glm::length(c.ray.direction);
+  const double in_plane = std::holds_alternative<Mesh>(c.shape) ? gap / foreshortened : gap;
+  for (const double offset : {0.0, gap, in_plane}) {
     const auto all =
         std::visit([&](const auto& shape) { return crossings(shape, line, offset); }, c.shape);
     for (int i = 0; i < all.count; ++i) {

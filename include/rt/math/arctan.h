@@ -1,55 +1,52 @@
 #pragma once
 /// The arc tangent by arithmetic alone: the same on every machine, where the library's last bit
-/// differs between its versions, in a fifth of its time.
+/// differs between its versions, in a fifth of its time; and of several arguments at a time.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
+#include "rt/math/wide.h"
+
 namespace rt {
 
-namespace arctan_detail {
-/// atan(k / 8).
-inline constexpr std::array<double, 9> eighths{0.0,
-                                               0.12435499454676144,
-                                               0.24497866312686414,
-                                               0.35877067027057225,
-                                               0.46364760900080612,
-                                               0.55859931534356244,
-                                               0.64350110879328437,
-                                               0.71882999962162450,
-                                               0.78539816339744831};
-}  // namespace arctan_detail
-
-/// atan(small / large) for 0 <= small <= large, large > 0. With c the nearest eighth, atan(q) =
-/// atan(c) + atan(w), w = (q - c) / (1 + q c), |w| <= 1/16, by Taylor's series: the first term left
-/// out is w^15/15 < 6e-20. Relative error below 4 roundings.
-inline double arctan_ratio(double small, double large) {
-  const auto k = static_cast<std::size_t>(8.0F * static_cast<float>(small / large) + 0.5F);
-  const double c = 0.125 * static_cast<double>(k);
-  const double w = (small - c * large) / (large + c * small);
-  const double q = w * w;
-  double s = 1.0 / 13.0;
-  s = std::fma(s, q, -1.0 / 11.0);
-  s = std::fma(s, q, 1.0 / 9.0);
-  s = std::fma(s, q, -1.0 / 7.0);
-  s = std::fma(s, q, 1.0 / 5.0);
-  s = std::fma(s, q, -1.0 / 3.0);
-  return arctan_detail::eighths[k] + std::fma(s * q, w, w);
+/// atan(small / large) for 0 <= small <= large, large > 0: beyond 22.5 degrees as 45 degrees less the
+/// angle between. With w the tangent that is left, |w| <= tan 22.5, atan(w) = w + w^3 p(w^2), p a
+/// Chebyshev fit of degree 10 over [0, tan^2 22.5], off by 2^-56 of the angle. Relative error below
+/// 4 roundings. T: double or Wide.
+template <class T>
+[[gnu::always_inline]] inline T arctan_ratio(const T& small, const T& large) {
+  using std::fma;
+  const auto steep = small > 0.41421356237309503 * large;
+  const T w = select(steep, small - large, small) / select(steep, small + large, large);
+  const T z = w * w;
+  T p(-0.019175404711104935);
+  p = fma(p, z, T(0.03923044778479309));
+  p = fma(p, z, T(-0.050854078345894844));
+  p = fma(p, z, T(0.05858140904866328));
+  p = fma(p, z, T(-0.06664510525508936));
+  p = fma(p, z, T(0.07692183125376892));
+  p = fma(p, z, T(-0.0909090457530649));
+  p = fma(p, z, T(0.11111111015187018));
+  p = fma(p, z, T(-0.14285714284665682));
+  p = fma(p, z, T(0.19999999999995516));
+  p = fma(p, z, T(-0.3333333333333333));
+  return select(steep, T(std::numbers::pi / 4), T(0.0)) + fma(w * z, p, w);
 }
 
 /// atan2(y, x) for finite arguments; 0 for (0, 0).
-inline double arctan2(double y, double x) {
-  const double up = std::abs(y);
-  const double along = std::abs(x);
-  const double largest = std::max(up, along);
-  if (!(largest > 0.0)) {
-    return 0.0;
-  }
-  double angle = arctan_ratio(std::min(up, along), largest);
-  angle = up > along ? std::numbers::pi / 2 - angle : angle;
-  angle = x < 0.0 ? std::numbers::pi - angle : angle;
-  return std::copysign(angle, y);
+template <class T>
+T arctan2(const T& y, const T& x) {
+  using std::abs;
+  using std::copysign;
+  using std::max;
+  using std::min;
+  const T up = abs(y);
+  const T along = abs(x);
+  const auto somewhere = max(up, along) > 0.0;
+  T angle = arctan_ratio(min(up, along), select(somewhere, max(up, along), T(1.0)));
+  angle = select(up > along, std::numbers::pi / 2 - angle, angle);
+  angle = select(x < 0.0, std::numbers::pi - angle, angle);
+  return select(somewhere, copysign(angle, y), T(0.0));
 }
 
 }  // namespace rt

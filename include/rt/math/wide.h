@@ -38,6 +38,7 @@ inline double select(bool m, double a, double b) { return m ? a : b; }
 inline Wide sqrt(const Wide& a) { return stdx::sqrt(a); }
 inline Wide fma(const Wide& a, const Wide& b, const Wide& c) { return stdx::fma(a, b, c); }
 inline Wide abs(const Wide& a) { return stdx::abs(a); }
+inline Wide copysign(const Wide& a, const Wide& b) { return stdx::copysign(a, b); }
 /// As std::max and std::min: the first where the two compare equal or one is NaN.
 inline Wide max(const Wide& a, const Wide& b) { return select(a < b, b, a); }
 inline Wide min(const Wide& a, const Wide& b) { return select(b < a, b, a); }

@@ -1,6 +1,7 @@
 #pragma once
 #include "rt/math/sampler.h"
 #include "rt/render/accel/shadow_cache.h"
+#include "rt/render/seen_light.h"
 #include "rt/render/shading.h"
 
 namespace rt {
@@ -21,7 +22,7 @@ struct LightSample {
   bool shadowed = true;  ///< false: nothing can stand between
 };
 
-LightSample sample_light(const Light& light, const ShadingPoint& point, const Sampler& sampler,
+LightSample sample_light(const PlannedLight& light, const ShadingPoint& point, const Sampler& sampler,
                          const Vertex& vertex);
 
 /// What share of light gets from a point over a distance `reach` in direction `way` (unit), past
@@ -36,5 +37,12 @@ Rgb dimmed(const RenderPlan& plan, const ShadingPoint& from, const Vec3& way, do
 Rgb direct_light(const RenderPlan& plan, std::size_t index, const Phong& phong,
                  const ShadingPoint& point, const Vec3& view, const Sampler& sampler,
                  const Vertex& vertex, double negligible, ShadowCache& cache, RayCounts& counts);
+
+/// The same for an extended light whose sight from the point (where the light then stands) is known:
+/// SeenLight::from.
+Rgb direct_light(const RenderPlan& plan, std::size_t index, const std::optional<SeenLight>& seen,
+                 const Phong& phong, const ShadingPoint& point, const Vec3& view,
+                 const Sampler& sampler, const Vertex& vertex, double negligible,
+                 ShadowCache& cache, RayCounts& counts);
 
 }  // namespace rt

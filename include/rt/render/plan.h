@@ -7,6 +7,7 @@
 
 #include "rt/math/lobe.h"
 #include "rt/render/placement_table.h"
+#include "rt/render/planned_light.h"
 #include "rt/render/shape_table.h"
 #include "rt/render/trace.h"
 #include "rt/scene/render_job.h"
@@ -102,7 +103,7 @@ struct RenderPlan {
   std::unique_ptr<const BoxList> shaft_list;
   std::unique_ptr<const ThinThings> thin;  ///< null: nothing is narrower than pixels
   std::vector<PlannedMaterial> materials;
-  std::vector<Light> lights;  ///< positions in render space
+  std::vector<PlannedLight> lights;
   CameraFrame camera;         ///< when the shutter opens
   /// Set where the camera moves: the path of its frame, and of its eye in render space.
   std::unique_ptr<const Camera> moving_camera;

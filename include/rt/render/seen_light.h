@@ -8,7 +8,7 @@
 
 #include "rt/math/spherical_rectangle.h"
 #include "rt/math/vec.h"
-#include "rt/scene/light.h"
+#include "rt/render/planned_light.h"
 
 namespace rt {
 
@@ -46,11 +46,22 @@ class LightLine {
   double square_;  ///< of the length of `start`
 };
 
+/// A rectangle as seen through the plane at distance 1. T, V: double and Vec3, or Wide and Wide3.
+template <class T, class V>
+struct RectangleAhead {
+  V z;                ///< unit, towards its plane
+  T x0, x1, y0, y1;   ///< on the plane, along its edges
+  V mean;             ///< of its unit directions
+};
+
 class SeenLight {
  public:
   /// From p; empty for points of light, from inside a sphere, and where digits would be lost: so
   /// close that the light fills half the sky, or all but edge-on.
-  static std::optional<SeenLight> from(const Vec3& p, const Light& light);
+  static std::optional<SeenLight> from(const Vec3& p, const PlannedLight& light);
+  /// What a lane sees of a rectangle; it must be known.
+  SeenLight(const WideSphericalRectangle& rectangle, const RectangleAhead<Wide, Wide3>& ahead,
+            int lane);
 
   /// What lies nearer than this along depth_axis() stands before the light.
   double depth() const { return depth_; }
@@ -77,6 +88,9 @@ class SeenLight {
   LightLine line(const Vec2& through) const;
 
  private:
+  friend class WideSeenLight;
+  SeenLight() = default;
+  SeenLight(const SphericalRectangle& rectangle, const RectangleAhead<double, Vec3>& ahead);
   double rectangle_cosine(const Vec3& local) const;
   double disc_cosine(const Vec3& local) const;
 
@@ -89,6 +103,19 @@ class SeenLight {
   Vec2 middle_{0.0};
   Vec3 mean_{0.0};
   double depth_ = 0.0;
+};
+
+/// The same light from several points, lane by lane.
+class WideSeenLight {
+ public:
+  WideSeenLight(const Wide3& p, const PlannedLight& light);
+  std::optional<SeenLight> lane(int i) const;
+
+ private:
+  Wide3 p_;
+  const PlannedLight& light_;
+  std::optional<WideSphericalRectangle> rectangle_;
+  RectangleAhead<Wide, Wide3> ahead_;
 };
 
 }  // namespace rt

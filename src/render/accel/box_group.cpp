@@ -20,7 +20,6 @@ constexpr double slack = 0x1p-18;
 // Shafts are far wider than this, which is more than their tests can be off: they begin and end
 // within 5 `reach`, where each of the ten numbers in an inequality is rounded by less than 2^-18.
 constexpr double shaft_slack = 0x1p-14;
-constexpr double endless = BoxSpace::endless;
 
 /// Where the ray enters a cube that holds all enlarged boxes; false when it passes by.
 bool entry_into_cube(const Vec3& origin, const Vec3& inverse, double& entry) {

@@ -63,7 +63,7 @@ bool crosses(const RenderPlan& plan, const PlannedInstance& plane, const Shaft& 
 }  // namespace
 
 ShadowCache::ShadowCache(const RenderPlan& plan) : plan_(plan), fineness_(fineness_of(plan)) {
-  for (const Light& light : plan.lights) {
+  for (const PlannedLight& light : plan.lights) {
     lights_.push_back(box_of(light));
   }
   last_.resize(lights_.size());

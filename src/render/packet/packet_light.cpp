@@ -96,10 +96,12 @@ Wide3 one_by_one(const RenderPlan& plan, std::size_t index, const WidePhong& pho
                  const WideSampler& sampler, const Vertex& vertex, const Wide& negligible,
                  ShadowCache& cache, RayCounts& counts) {
   Wide3 sum{Wide(0.0)};
+  const WideSeenLight seen(point.position, plan.lights[index]);
   each_lane(bits, [&](int i) {
     const Phong one{phong.kd.lane(i), phong.ks.lane(i), phong.shininess, phong.least_r_dot_v};
-    sum.set(i, direct_light(plan, index, one, point.lane(i), view.lane(i), sampler.lane(i), vertex,
-                            negligible[static_cast<std::size_t>(i)], cache, counts));
+    sum.set(i, direct_light(plan, index, seen.lane(i), one, point.lane(i), view.lane(i),
+                            sampler.lane(i), vertex, negligible[static_cast<std::size_t>(i)], cache,
+                            counts));
   });
   return sum;
 }
@@ -110,11 +112,11 @@ Wide3 direct_light(const RenderPlan& plan, std::size_t index, const WidePhong& p
                    const WideShadingPoint& point, unsigned bits, const Wide3& view,
                    const WideSampler& sampler, const Vertex& vertex, const Wide& negligible,
                    ShadowCache& cache, RayCounts& counts) {
-  const Light& light = plan.lights[index];
+  const PlannedLight& light = plan.lights[index];
   if (is_black(phong.kd) && is_black(phong.ks)) {
     return Wide3(Wide(0.0));
   }
-  if (light.radius > 0.0 || light.rectangle) {
+  if (light.extended()) {
     return one_by_one(plan, index, phong, point, bits, view, sampler, vertex, negligible, cache,
                       counts);
   }

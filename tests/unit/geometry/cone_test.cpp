@@ -57,6 +57,35 @@ TEST(Cone, TheNormalIsThatOfTheSlope) {
   expect_near(point_of(PointedCone{}, {0.1, -2, 0}, {0, 1, 0}).normal, {0, -1, 0}, 0);
 }
 
+// Along a generator, so that of the quadratic 4 to 5 digits are lost. t as twice the digits
+// give it.
+TEST(Cone, RaysInsideItComeOutNextToTheApex) {
+  struct {
+    Vec3 origin, direction;
+    double t;
+  } const cases[] = {
+      {{0.12405023063519062, 0.86146983876671435, 0.06166154272053323},
+       {-63.320370446760201, 70.707074508743815, -31.480792571026686},
+       0.001959053279112115},
+      {{-0.14186816387200452, 0.784040104559665, -0.16282536816527227},
+       {4.6446122325266245e-05, 7.0709023169136467e-05, 5.331971270939978e-05},
+       3053.6994213254784},
+      {{-0.17214333991148578, 0.29913509413131578, -0.67939553045505363},
+       {1.7353675711847301e-07, 7.0703190833236396e-07, 6.8555880457383042e-07},
+       991048.21851436631},
+      {{-0.66734444264068316, 0.20819867129739578, -0.42614638214070055},
+       {5.9595753206049131e-09, 7.0709939061519893e-09, 3.805851701945084e-09},
+       111975360.989434},
+  };
+  for (const auto& c : cases) {
+    const OptionalHit h =
+        intersect(PointedCone{}, {c.origin, c.direction}, 1e300, {Leaving::inward, 0, 1e-16});
+    ASSERT_TRUE(h.has_value());
+    // Off the side by no more than rounding moves the origin.
+    EXPECT_NEAR(h->t * glm::length(c.direction), c.t * glm::length(c.direction), 1e-15);
+  }
+}
+
 TEST(Cone, LeavingOutwardHitsNothingAndInwardTheOtherSide) {
   EXPECT_EQ(t_of(PointedCone{}, {0.5, 0.5, 0}, {1, 0, 0}, leaving(Leaving::outward)), -1);
   EXPECT_DOUBLE_EQ(t_of(PointedCone{}, {0.5, 0.5, 0}, {-1, 0, 0}, leaving(Leaving::inward)), 1);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "rt/math/rounding.h"
+#include "unit/math/wide_lanes.h"
 
 namespace rt {
 namespace {
@@ -24,6 +25,19 @@ TEST(Arctan, KeepsTheDigitsOfSmallAngles) {
   for (double y = 1e-300; y < 0.06; y *= 3.7) {
     EXPECT_NEAR(arctan2(y, 1.0) / std::atan(y), 1.0, gamma(4));
     EXPECT_NEAR(arctan2(-y, 1.0) / std::atan(-y), 1.0, gamma(4));
+  }
+}
+
+TEST(Arctan, OfSeveralIsThatOfEach) {
+  test::Arguments random(5);
+  const std::vector<double> edges{0.0, 1.0, -1.0, std::numbers::sqrt2 - 1.0, 1e-300, -1e200};
+  for (int k = 0; k < 20000; ++k) {
+    const auto y = test::drawn([&] { return random.pick(edges, -1, 1); });
+    const auto x = test::drawn([&] { return random.pick(edges, -1, 1); });
+    const Wide angles = arctan2(test::packed(y), test::packed(x));
+    for (std::size_t i = 0; i < lanes; ++i) {
+      ASSERT_TRUE(test::same(angles[i], arctan2(y[i], x[i]))) << y[i] << ' ' << x[i];
+    }
   }
 }
 

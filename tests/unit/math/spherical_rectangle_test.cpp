@@ -4,6 +4,7 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
+#include <deque>
 
 #include "rt/math/warp.h"
 #include "unit/math/chi_square.h"
@@ -33,7 +34,8 @@ struct View {
 };
 
 SphericalRectangle seen(const View& v) {
-  return SphericalRectangle({0, 0, 0}, {v.x0, v.y0, v.z}, {v.width, 0, 0}, {0, v.height, 0});
+  static std::deque<RectangleEdges> kept;
+  return {kept.emplace_back(Vec3(v.width, 0, 0), Vec3(0, v.height, 0)), {v.x0, v.y0, v.z}};
 }
 
 TEST(SphericalRectangle, SolidAngleIsTheClosedForm) {
@@ -109,7 +111,8 @@ TEST(SphericalRectangle, AreaFallbackIsUnbiased) {
 }
 
 TEST(SphericalRectangle, ParallelogramsAreSampledByArea) {
-  const SphericalRectangle r({0, 0, 0}, {-1, -1, 2}, {2, 0, 0}, {1, 2, 0});
+  const RectangleEdges edges({2, 0, 0}, {1, 2, 0});
+  const SphericalRectangle r(edges, {-1, -1, 2});
   EXPECT_TRUE(r.by_area());
   RandomPoints random(8);
   double sum = 0;
