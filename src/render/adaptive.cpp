@@ -36,14 +36,18 @@ void count_in(PixelEstimate& e, std::span<const std::optional<Rgb>> values, std:
   }
 }
 
+void append_samples(std::vector<PixelSample>& wanted, int x, int y, std::uint32_t from,
+                    std::uint32_t to) {
+  for (std::uint32_t i = from; i < to; ++i) {
+    wanted.push_back({x, y, i});
+  }
+}
+
 /// Takes samples up to `count`.
 void grow(PixelSampler& sampler, PixelEstimate& e, int x, int y, std::uint32_t count,
           RenderStatistics& statistics) {
   std::vector<PixelSample> wanted;
-  wanted.reserve(count - e.count);
-  for (std::uint32_t i = e.count; i < count; ++i) {
-    wanted.push_back({x, y, i});
-  }
+  append_samples(wanted, x, y, e.count, count);
   std::vector<std::optional<Rgb>> values(wanted.size());
   sampler.take_all(wanted, values, statistics);
   count_in(e, values, count);
@@ -55,9 +59,7 @@ void begin_row(PixelSampler& sampler, std::span<PixelEstimate> row, int x, int y
   std::vector<PixelSample> wanted;
   wanted.reserve(row.size() * count);
   for (std::size_t k = 0; k < row.size(); ++k) {
-    for (std::uint32_t i = 0; i < count; ++i) {
-      wanted.push_back({x + static_cast<int>(k), y, i});
-    }
+    append_samples(wanted, x + static_cast<int>(k), y, 0, count);
   }
   std::vector<std::optional<Rgb>> values(wanted.size());
   sampler.take_all(wanted, values, statistics);
@@ -82,6 +84,26 @@ double observed_exponent(const PixelEstimate& e) {
 
 void set_error(PixelEstimate& e, Encoding encoding) {
   e.error = static_cast<float>(displayed_error(e.mean(), claim * glm::sqrt(e.variance), encoding));
+}
+
+/// Takes `wanted`, as many samples of each pixel as it has, and estimates anew.
+void double_samples(PixelSampler& sampler, std::span<PixelEstimate* const> pixels,
+                    std::span<const PixelSample> wanted, Encoding encoding,
+                    RenderStatistics& statistics) {
+  std::vector<std::optional<Rgb>> values(wanted.size());
+  sampler.take_all(wanted, values, statistics);
+  std::span<const std::optional<Rgb>> rest = values;
+  for (PixelEstimate* e : pixels) {
+    const std::uint32_t more = e->count;
+    count_in(*e, rest.first(more), 2 * more);
+    rest = rest.subspan(more);
+    const double rate = observed_exponent(*e);
+    const Rgb expected = std::pow(0.5, rate) * e->variance;
+    e->variance = e->count >= 4
+                      ? (variance_of_quarters(*e, rate) + memory * expected) / (1.0 + memory)
+                      : expected;
+    set_error(*e, encoding);
+  }
 }
 
 }  // namespace
@@ -123,51 +145,74 @@ void AdaptiveTile::pilots(PixelSampler& sampler, const Deadline& deadline,
   outside.bad_samples = 0;  // they count in the tile that they belong to
   statistics += within;
   statistics += outside;
-  for (int y = area_.y; y < bottom; ++y) {
-    for (int x = area_.x; x < right; ++x) {
-      estimate_from_contrast(pixels_[index(x, y)], x, y, plan);
-    }
-  }
+  estimate_from_contrast(plan);
 }
 
-void AdaptiveTile::estimate_from_contrast(PixelEstimate& e, int x, int y,
-                                          const RenderPlan& plan) const {
-  Rgb mean(0.0);
-  Rgb square(0.0);
-  for (int j = y - 1; j <= y + 1; ++j) {
-    for (int i = x - 1; i <= x + 1; ++i) {
-      const PixelEstimate& near = at(i, j);
-      mean += near.mean() / 9.0;
-      square += near.squares / (9.0 * std::max(near.count - near.bad, 1u));
-    }
+// Each pixel's share is formed once, for the nine that it counts for.
+void AdaptiveTile::estimate_from_contrast(const RenderPlan& plan) {
+  struct Share {
+    Rgb mean, square;
+  };
+  std::vector<Share> shares;
+  shares.reserve(pixels_.size());
+  for (const PixelEstimate& e : pixels_) {
+    shares.push_back({e.mean() / 9.0, e.squares / (9.0 * std::max(e.count - e.bad, 1u))});
   }
-  const Rgb contrast = glm::max(square - mean * mean, Rgb(0.0));
-  e.variance = contrast * std::pow(e.count, -max_exponent);
-  if (e.count > pilot_samples) {
-    // So many pilots for the sake of something thin: their own scatter is evidence, too.
-    e.variance = 0.5 * (e.variance + variance_of_quarters(e, 0.5 * (1.0 + max_exponent)));
-  }
-  set_error(e, plan.options.encoding);
-}
-
-bool AdaptiveTile::refine(PixelSampler& sampler, double target, const Deadline& deadline,
-                          RenderStatistics& statistics) {
-  const RenderPlan& plan = sampler.plan();
   const auto most = static_cast<std::uint32_t>(plan.options.max_samples);
+  const double of_pilots = std::pow(std::min(pilot_samples, most), -max_exponent);
   for (int y = area_.y; y < area_.y + area_.height; ++y) {
     for (int x = area_.x; x < area_.x + area_.width; ++x) {
+      Rgb mean(0.0);
+      Rgb square(0.0);
+      for (int j = y - 1; j <= y + 1; ++j) {
+        for (int i = x - 1; i <= x + 1; ++i) {
+          mean += shares[index(i, j)].mean;
+          square += shares[index(i, j)].square;
+        }
+      }
       PixelEstimate& e = pixels_[index(x, y)];
-      while (e.error > target && 2 * e.count <= most) {
+      const Rgb contrast = glm::max(square - mean * mean, Rgb(0.0));
+      e.variance = contrast * of_pilots;
+      if (e.count > pilot_samples) {
+        // So many pilots for the sake of something thin: their own scatter is evidence, too.
+        e.variance = contrast * std::pow(e.count, -max_exponent);
+        e.variance = 0.5 * (e.variance + variance_of_quarters(e, 0.5 * (1.0 + max_exponent)));
+      }
+      set_error(e, plan.options.encoding);
+    }
+  }
+}
+
+// In rounds over a row, so that neighbours fill packets together.
+bool AdaptiveTile::refine(PixelSampler& sampler, double target, const Deadline& deadline,
+                          RenderStatistics& statistics) {
+  constexpr std::size_t batch = 256;
+  const RenderPlan& plan = sampler.plan();
+  const auto most = static_cast<std::uint32_t>(plan.options.max_samples);
+  const int right = area_.x + area_.width;
+  std::vector<PixelEstimate*> open;
+  std::vector<PixelSample> wanted;
+  for (int y = area_.y; y < area_.y + area_.height; ++y) {
+    for (bool again = true; again;) {
+      again = false;
+      for (int x = area_.x; x < right;) {
+        open.clear();
+        wanted.clear();
+        for (; x < right && wanted.size() < batch; ++x) {
+          PixelEstimate& e = pixels_[index(x, y)];
+          if (e.error > target && 2 * e.count <= most) {
+            open.push_back(&e);
+            append_samples(wanted, x, y, e.count, 2 * e.count);
+          }
+        }
+        if (open.empty()) {
+          continue;
+        }
         if (deadline.passed()) {
           return false;
         }
-        grow(sampler, e, x, y, 2 * e.count, statistics);
-        const double rate = observed_exponent(e);
-        const Rgb expected = std::pow(0.5, rate) * e.variance;
-        e.variance = e.count >= 4
-                         ? (variance_of_quarters(e, rate) + memory * expected) / (1.0 + memory)
-                         : expected;
-        set_error(e, plan.options.encoding);
+        double_samples(sampler, open, wanted, plan.options.encoding, statistics);
+        again = true;
       }
     }
   }

@@ -124,7 +124,7 @@ void add_parts(const RenderPlan& plan, const Parts& parts, bool casts, ThinThing
     if (distance > 0.0 && apparent_width(edges, centre / distance) < wide * there) {
       thin.in_sight.add(centre, edges, beam_pixels * there);
     }
-    const auto thin_for = [&](const Light& light) {
+    const auto thin_for = [&, &centre = centre, &edges = edges](const Light& light) {
       const Vec3 way = centre - light.position;
       const double d = glm::length(way);
       return light.radius == 0.0 && !light.rectangle && d > 0.0 &&

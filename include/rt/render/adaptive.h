@@ -61,7 +61,7 @@ class AdaptiveTile {
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>((y - area_.y + 1) * (area_.width + 2) + (x - area_.x + 1));
   }
-  void estimate_from_contrast(PixelEstimate& e, int x, int y, const RenderPlan& plan) const;
+  void estimate_from_contrast(const RenderPlan& plan);
 
   Crop area_;
   std::vector<PixelEstimate> pixels_;  ///< row by row, with a border of one pixel

@@ -78,8 +78,9 @@ ShadowCache::Cell ShadowCache::cell_of(std::size_t light, const Vec3& position) 
   if (light >= 0xffff || exponent < 64 || exponent > far - 64) {
     return {};
   }
-  const auto scale =
-      std::bit_cast<double>((far - exponent + static_cast<std::uint64_t>(fineness_)) << 52U);
+  const auto fineness = static_cast<std::uint64_t>(fineness_);
+  const auto scale = std::bit_cast<double>((far - exponent + fineness) << 52U);
+  const auto edge = std::bit_cast<double>((exponent - fineness) << 52U);  // exactly its inverse
   const Vec3 index = glm::floor(position * scale);
   Cell cell;
   cell.key = 1U + light;
@@ -88,7 +89,7 @@ ShadowCache::Cell ShadowCache::cell_of(std::size_t light, const Vec3& position) 
     const auto place = static_cast<std::int64_t>(index[k]) + (1 << (index_bits - 1));
     cell.key = cell.key << index_bits | static_cast<std::uint64_t>(place);
   }
-  cell.bounds = {index / scale, (index + 1.0) / scale};
+  cell.bounds = {index * edge, (index + 1.0) * edge};
   return cell;
 }
 

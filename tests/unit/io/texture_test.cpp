@@ -137,7 +137,7 @@ TEST_F(Textures, LineariseEncodedPictures) {
 
 TEST_F(Textures, LineariseSixteenBits) {
   std::string row;
-  for (const std::uint64_t value : {0, 1, 255, 3000, 32768, 65535}) {
+  for (const std::uint64_t value : {0U, 1U, 255U, 3000U, 32768U, 65535U}) {
     row += be(value, 2);
   }
   const auto image = open(png(6, 16, 0, {row}));
