@@ -58,6 +58,14 @@ class Programs:
         subprocess.run([ROOT / "bench/peers.py", folder], check=True)
         return folder
 
+    def best(self, name):
+        """A program of ours, compiled for the best this processor runs, as the launcher chooses."""
+        flags = set(re.search(r"^flags\s*:(.*)$", pathlib.Path("/proc/cpuinfo").read_text(),
+                              re.MULTILINE)[1].split())
+        v4 = self.build / f"{name}-v4"
+        wide = {"avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl"} <= flags
+        return v4 if wide and v4.exists() else self.build / name
+
     @staticmethod
     def has(name):
         return shutil.which(name) is not None

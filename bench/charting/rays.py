@@ -10,7 +10,7 @@ ASKED = 0.6
 
 def measure(context):
     count, edge, rounds = (2000, 64, 1) if context.quick else (100_000, 512, 7)
-    said = subprocess.run([*context.programs.pin, context.build / "bench_rays", str(count),
+    said = subprocess.run([*context.programs.pin, context.programs.best("bench_rays"), str(count),
                            str(edge), str(rounds)], check=True, capture_output=True, text=True)
     rows = [{k: v if k in ("subject", "kind") else float(v) for k, v in row.items()}
             for row in csv.DictReader(said.stdout.splitlines())]

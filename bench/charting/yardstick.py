@@ -12,7 +12,7 @@ ASKED = 1.1
 
 def measure(context):
     size, rounds = ("320x240", 5) if context.quick else ("1024x768", 31)
-    said = subprocess.run([*context.programs.pin, context.build / "bench_yardstick", SCENE, size,
+    said = subprocess.run([*context.programs.pin, context.programs.best("bench_yardstick"), SCENE, size,
                            str(rounds)], check=True, capture_output=True, text=True).stdout
     rows = []
     for row in csv.DictReader(said.splitlines()):
