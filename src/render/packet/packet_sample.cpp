@@ -64,19 +64,18 @@ void PacketSampler::take_packet(std::span<const PixelSample> wanted,
   const bool lens = plan.camera.lens_radius > 0.0;
   const bool centres = wanted[0].at_centre;
   const bool draws = plan.random || lens || !centres;
+  const auto lane_of = [&](auto i) -> const PixelSample& {
+    return wanted[std::min<std::size_t>(i, count - 1)];
+  };
+  const Wide2 corner{Wide([&](auto i) { return static_cast<double>(lane_of(i).x); }),
+                     Wide([&](auto i) { return static_cast<double>(lane_of(i).y); })};
   WideSampler sampler;
-  Wide2 corner;
-  for (int i = 0; i < lanes; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    const PixelSample& s = wanted[std::min<std::size_t>(at, count - 1)];
-    corner.x[at] = s.x;
-    corner.y[at] = s.y;
-    if (draws) {
-      sampler.set(i, plan.options.seed, s.x, s.y, s.index);
-    }
-  }
   Wide2 offset{0.5, 0.5};
   if (draws) {
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const PixelSample& s = lane_of(i);
+      sampler.set(static_cast<int>(i), plan.options.seed, s.x, s.y, s.index);
+    }
     sampler.begin();
     if (!centres) {
       const Wide2 by = filter_offset(plan.options.filter, sampler.pixel());
@@ -100,13 +99,16 @@ void PacketSampler::take_packet(std::span<const PixelSample> wanted,
       tracer_.radiance(camera, y, sampler, statistics.rays, sight_of(sight, place, count));
   statistics.samples += count;
   for (unsigned i = 0; i < count; ++i) {
-    const Rgb value = sum.lane(static_cast<int>(i));
-    values[i] = value;
-    if (!all_finite(value)) {
-      statistics.add_bad(wanted[i].x, wanted[i].y);
-      values[i] = std::nullopt;
-    }
+    values[i] = sum.lane(static_cast<int>(i));
   }
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const unsigned good = bits_of(max_abs(sum) < infinity && sum.x == sum.x && sum.y == sum.y &&
+                                sum.z == sum.z);
+  each_lane(camera.active & ~good, [&](int i) {
+    const auto at = static_cast<std::size_t>(i);
+    statistics.add_bad(wanted[at].x, wanted[at].y);
+    values[at] = std::nullopt;
+  });
 }
 
 }  // namespace rt

@@ -53,7 +53,7 @@ Wide3 PacketTracer::radiance(Packet camera, const Wide& y, const WideSampler& sa
   counts_ = &counts;
   counts.camera += static_cast<unsigned>(std::popcount(camera.active));
   camera.ray.direction = camera.ray.direction * (1.0 / length(camera.ray.direction));
-  open_.push_back({camera, Wide3(Wide(1.0)), {}, 0});
+  follow({camera, Wide3(Wide(1.0)), {}, 0});
   while (!open_.empty()) {
     const Path path = open_.back();
     open_.pop_back();
