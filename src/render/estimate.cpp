@@ -31,6 +31,9 @@ Rgb variance_of_quarters(const PixelEstimate& e, double exponent) {
 double displayed_error(const Rgb& mean, const Rgb& s, Encoding encoding) {
   double largest = 0.0;
   for (int k = 0; k < 3; ++k) {
+    if (s[k] == 0.0) {
+      continue;
+    }
     const double lo = mean[k] - s[k];
     const double hi = mean[k] + s[k];
     const double shown = encoding == Encoding::srgb
