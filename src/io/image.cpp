@@ -123,6 +123,7 @@ std::vector<unsigned char> encoded(const std::string& what, const Format& format
 }  // namespace
 
 void preload() { begin_loading_oiio(); }
+void end_preload() { end_loading_oiio(); }
 
 void check_output(const std::filesystem::path& path, int width, int height) {
   check_size(path, output_format(path), width, height);

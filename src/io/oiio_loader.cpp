@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 
+#include <atomic>
 #include <filesystem>
 #include <future>
 #include <system_error>
@@ -48,13 +49,15 @@ const OiioTable* load() {
   throw FileError("cannot load the picture formats: " + reason + "; run ./bootstrap again");
 }
 
-/// One loading a process. The state of an asynchronous future joins its thread when it is
-/// destroyed, so a process that exits meanwhile waits for the module's constructors instead of
-/// racing them.
+std::atomic<bool> begun = false;
+
+/// One loading a process.
 const std::shared_future<const OiioTable*>& loading() {
   static const std::shared_future<const OiioTable*> future = [] {
     try {
-      return std::async(std::launch::async, load).share();
+      auto promised = std::async(std::launch::async, load).share();
+      begun = true;
+      return promised;
     } catch (const std::system_error&) {  // no thread to be had: load when the table is needed
       return std::async(std::launch::deferred, load).share();
     }
@@ -65,6 +68,12 @@ const std::shared_future<const OiioTable*>& loading() {
 }  // namespace
 
 void begin_loading_oiio() { loading(); }
+
+void end_loading_oiio() {
+  if (begun) {
+    loading().wait();
+  }
+}
 
 const OiioTable& oiio() { return *loading().get(); }
 

@@ -120,6 +120,18 @@ TEST_F(Resumed, ManyInterruptionsMakeNoDifference) {
   EXPECT_TRUE(same_file(folder_ / "p1.png", folder_ / "whole.png"));
 }
 
+// OpenImageIO is still being loaded then.
+TEST_F(Resumed, AnInterruptionAtTheVeryBeginningEndsWell) {
+  for (int i = 0; i < 16; ++i) {
+    Running program(folder_, "scene.lua -q --samples 900");
+    std::this_thread::sleep_for(20ms + 10ms * i);
+    program.signal(SIGINT);
+    const Outcome o = program.wait();
+    EXPECT_EQ(o.exit_code, 130) << o.err;
+    EXPECT_EQ(o.err.find("Assertion"), std::string::npos) << o.err;
+  }
+}
+
 TEST_F(Resumed, FinishedPicturesAreNotRenderedAgain) {
   write("scene.lua", slow_scene(3));
   const std::string options = "--samples 60";

@@ -18,9 +18,11 @@ struct Image {
 };
 
 /// Begins to load OpenImageIO on a thread of its own; later calls do nothing. Optional: the
-/// functions below load it if nobody has. A process that exits meanwhile waits for the loading to
-/// end (some 0.3 s), so call it only once there is something to render.
+/// functions below load it if nobody has.
 void preload();
+/// Waits for that to end (some 0.3 s), if it has begun. A process must not exit before: what the
+/// libraries that are loaded by then have to do at an exit would meet constructors that still run.
+void end_preload();
 
 /// Throws FileError when no picture can be written under that name: an extension that is none of
 /// .png .bmp .exr .tga .jpg .jpeg (any case), a size that the format cannot hold, or a folder that
