@@ -57,13 +57,19 @@ Finding far_dip(const Ring& ring, const Sighting& line) {
 }
 
 /// A root equal to its neighbour to within rounding: the geometric form decides. If it finds none
-/// the dip has none, unless what it says is that the dip lies behind the line's beginning.
-Finding decided(const TorusLine& line, const Finding& at, double begin) {
+/// the dip has none, unless what it says is that the dip lies behind the line's beginning, or the
+/// line goes in just past the dip: where it touches the torus along an asymptote, three roots
+/// coincide, and F is below zero on the concave stretch.
+Finding decided(const TorusLine& line, const Ring& ring, const Finding& at, double begin,
+                double axis) {
   if (at.dip != Dip::touched) {
     return at;
   }
   if (const std::optional<double> root = finish_root(line, at.s, 1, begin)) {
     return {Dip::crossed, *root};
+  }
+  if (!ring.has_one_dip() && at.s < axis && !(ring.at(axis).value > ring.noise())) {
+    return {Dip::unclear, at.s};
   }
   return {at.s > begin + 0x1p-10 * line.size() ? Dip::missed : Dip::unclear, at.s};
 }
@@ -73,10 +79,11 @@ Finding decided(const TorusLine& line, const Finding& at, double begin) {
 std::optional<double> look_again(const TorusLine& line, const Sighting& first) {
   const Ring ring(line.line.origin, line.direction, line.torus);
   const bool searched = first.found != first.start;
-  Finding at = decided(line, searched ? Finding{first.dip, first.found} : near_dip(ring, first),
-                       first.begin);
+  Finding at =
+      decided(line, ring, searched ? Finding{first.dip, first.found} : near_dip(ring, first),
+              first.begin, first.axis);
   if (at.dip == Dip::missed && !ring.has_one_dip() && !(at.s > first.axis)) {
-    at = decided(line, far_dip(ring, first), first.begin);
+    at = decided(line, ring, far_dip(ring, first), first.begin, first.axis);
   }
   switch (at.dip) {
     case Dip::crossed:

@@ -134,7 +134,19 @@ std::optional<double> finish_root(const TorusLine& line, double s, double sign, 
         continue;
       }
     }
+    if (discriminant < 0) {
+      // Concave and below zero all about: the root has been passed. Where three roots nearly
+      // coincide rounding does that.
+      if (std::abs(jet.value) <= noise) {
+        return s;
+      }
+      s -= jet.slope < 0 ? jet.value / jet.slope : std::sqrt(2 * jet.value / jet.curvature);
+      continue;
+    }
     const Step step = step_to_root(jet, discriminant, unit_roundoff * line.size());
+    if (!(std::abs(step.length) <= line.size())) {
+      return s;  // flat to within rounding: the crossing is here as much as anywhere near
+    }
     s += step.length;
     if (step.settled) {
       return s;

@@ -11,9 +11,9 @@ namespace rt {
 namespace {
 
 /// The share of Girard's sum (below) that belongs to the edge at x: atan(x y1 / z r1) -
-/// atan(x y0 / z r0), r the distances of the edge's ends, by that difference's tangent. Where y0 and
-/// y1 have one sign it would cancel; then y1 r0 - y0 r1 = (y1^2 - y0^2)(x^2 + z^2) / (y1 r0 + y0
-/// r1). `height` is y1 - y0, exactly.
+/// atan(x y0 / z r0), r the distances of the edge's ends, by that difference's tangent. Where y0
+/// and y1 have one sign it would cancel; then y1 r0 - y0 r1 = (y1^2 - y0^2)(x^2 + z^2) / (y1 r0 +
+/// y0 r1). `height` is y1 - y0, exactly.
 template <class T>
 T edge_angle(const T& x, const T& y0, const T& y1, double height, const T& z) {
   using std::sqrt;

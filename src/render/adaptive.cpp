@@ -19,7 +19,8 @@ constexpr double memory = 1.0;
 
 constexpr double max_exponent = 1.5;
 
-/// Counts the next samples in; there are to be `count` of them: above 4 so many as before, or twice.
+/// Counts the next samples in; there are to be `count` of them: above 4 so many as before, or
+/// twice.
 void count_in(PixelEstimate& e, std::span<const std::optional<Rgb>> values, std::uint32_t count) {
   if (e.count >= 4) {
     e.quarters = {e.quarters[0] + e.quarters[1], e.quarters[2] + e.quarters[3], Rgb(0.0), Rgb(0.0)};
@@ -125,8 +126,7 @@ void AdaptiveTile::pilots(PixelSampler& sampler, const Deadline& deadline,
       return;
     }
     const bool row_inside = y >= area_.y && y < bottom;
-    const std::span row(&pixels_[index(area_.x - 1, y)],
-                        static_cast<std::size_t>(area_.width + 2));
+    const std::span row(&pixels_[index(area_.x - 1, y)], static_cast<std::size_t>(area_.width + 2));
     begin_row(sampler, row.first(1), area_.x - 1, y, first, outside);
     begin_row(sampler, row.subspan(1, row.size() - 2), area_.x, y, first,
               row_inside ? within : outside);

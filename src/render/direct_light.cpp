@@ -30,8 +30,8 @@ Vec3 relative_to(const Light& light, const ShadingPoint& point) {
   return point.position - point.time * light.travel;
 }
 
-LightSample sample_light(const PlannedLight& light, const ShadingPoint& point, const Sampler& sampler,
-                         const Vertex& vertex) {
+LightSample sample_light(const PlannedLight& light, const ShadingPoint& point,
+                         const Sampler& sampler, const Vertex& vertex) {
   const Vec3 p = relative_to(light, point);
   if (light.radius > 0.0) {
     const Vec2 u = sampler.light(vertex);

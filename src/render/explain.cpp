@@ -131,8 +131,9 @@ std::string chosen(const RenderPlan& plan, const Counts& c) {
               "some shapes are narrower than a pixel: pixels on them begin with more samples");
   }
   if (c.extended > 0 && plan.random) {
-    part.line("soft shadows",
-              counted(c.extended, "light") + " with an extent: one shadow ray a sample to each");
+    part.line("soft shadows", counted(c.extended, "light") +
+                                  " with an extent: a line across each, a sample, past few things; "
+                                  "past many a shadow ray");
   }
   if (c.glass > 0) {
     part.line("glass",

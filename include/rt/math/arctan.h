@@ -9,10 +9,10 @@
 
 namespace rt {
 
-/// atan(small / large) for 0 <= small <= large, large > 0: beyond 22.5 degrees as 45 degrees less the
-/// angle between. With w the tangent that is left, |w| <= tan 22.5, atan(w) = w + w^3 p(w^2), p a
-/// Chebyshev fit of degree 10 over [0, tan^2 22.5], off by 2^-56 of the angle. Relative error below
-/// 4 roundings. T: double or Wide.
+/// atan(small / large) for 0 <= small <= large, large > 0: beyond 22.5 degrees as 45 degrees less
+/// the angle between. With w the tangent that is left, |w| <= tan 22.5, atan(w) = w + w^3 p(w^2), p
+/// a Chebyshev fit of degree 10 over [0, tan^2 22.5], off by 2^-56 of the angle. Relative error
+/// below 4 roundings. T: double or Wide.
 template <class T>
 [[gnu::always_inline]] inline T arctan_ratio(const T& small, const T& large) {
   using std::fma;

@@ -22,8 +22,8 @@ struct LightSample {
   bool shadowed = true;  ///< false: nothing can stand between
 };
 
-LightSample sample_light(const PlannedLight& light, const ShadingPoint& point, const Sampler& sampler,
-                         const Vertex& vertex);
+LightSample sample_light(const PlannedLight& light, const ShadingPoint& point,
+                         const Sampler& sampler, const Vertex& vertex);
 
 /// What share of light gets from a point over a distance `reach` in direction `way` (unit), past
 /// what dims; nothing blocks it.
@@ -38,8 +38,8 @@ Rgb direct_light(const RenderPlan& plan, std::size_t index, const Phong& phong,
                  const ShadingPoint& point, const Vec3& view, const Sampler& sampler,
                  const Vertex& vertex, double negligible, ShadowCache& cache, RayCounts& counts);
 
-/// The same for an extended light whose sight from the point (where the light then stands) is known:
-/// SeenLight::from.
+/// The same for an extended light whose sight from the point (where the light then stands) is
+/// known: SeenLight::from.
 Rgb direct_light(const RenderPlan& plan, std::size_t index, const std::optional<SeenLight>& seen,
                  const Phong& phong, const ShadingPoint& point, const Vec3& view,
                  const Sampler& sampler, const Vertex& vertex, double negligible,

@@ -104,7 +104,7 @@ struct RenderPlan {
   std::unique_ptr<const ThinThings> thin;  ///< null: nothing is narrower than pixels
   std::vector<PlannedMaterial> materials;
   std::vector<PlannedLight> lights;
-  CameraFrame camera;         ///< when the shutter opens
+  CameraFrame camera;  ///< when the shutter opens
   /// Set where the camera moves: the path of its frame, and of its eye in render space.
   std::unique_ptr<const Camera> moving_camera;
   Rgb ambient{0.0};

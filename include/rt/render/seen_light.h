@@ -49,9 +49,9 @@ class LightLine {
 /// A rectangle as seen through the plane at distance 1. T, V: double and Vec3, or Wide and Wide3.
 template <class T, class V>
 struct RectangleAhead {
-  V z;                ///< unit, towards its plane
-  T x0, x1, y0, y1;   ///< on the plane, along its edges
-  V mean;             ///< of its unit directions
+  V z;               ///< unit, towards its plane
+  T x0, x1, y0, y1;  ///< on the plane, along its edges
+  V mean;            ///< of its unit directions
 };
 
 class SeenLight {

@@ -102,8 +102,8 @@ void PacketSampler::take_packet(std::span<const PixelSample> wanted,
     values[i] = sum.lane(static_cast<int>(i));
   }
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const unsigned good = bits_of(max_abs(sum) < infinity && sum.x == sum.x && sum.y == sum.y &&
-                                sum.z == sum.z);
+  const unsigned good =
+      bits_of(max_abs(sum) < infinity && sum.x == sum.x && sum.y == sum.y && sum.z == sum.z);
   each_lane(camera.active & ~good, [&](int i) {
     const auto at = static_cast<std::size_t>(i);
     statistics.add_bad(wanted[at].x, wanted[at].y);

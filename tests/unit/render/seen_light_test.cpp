@@ -30,11 +30,20 @@ std::vector<double> answers(const SeenLight& seen, const Vec3& n, const Vec2& u)
   const Vec3 way = seen.sample(u);
   const Vec2 at = seen.point_of(way);
   const LightLine line = seen.line(at);
-  return {seen.depth(),           seen.mean_cosine(n), seen.largest_cosine(n),
-          seen.distance(way),     way.x,               way.y,
-          way.z,                  at.x,                at.y,
-          line.lo,                line.hi,             seen.middle().x,
-          double(seen.above(n)), seen.depth_axis().y};
+  return {seen.depth(),
+          seen.mean_cosine(n),
+          seen.largest_cosine(n),
+          seen.distance(way),
+          way.x,
+          way.y,
+          way.z,
+          at.x,
+          at.y,
+          line.lo,
+          line.hi,
+          seen.middle().x,
+          double(seen.above(n)),
+          seen.depth_axis().y};
 }
 
 TEST(SeenLight, OfSeveralPointsIsThatOfEach) {
