@@ -37,6 +37,7 @@ void read_lights(const Value& value, Draft& draft) {
   }
   const Call& call = value.call();
   lua_State* L = call.L;
+  Charge cost(call.run().memory);  // light by light: one may stand in the list a million times
   const auto size = static_cast<lua_Integer>(lua_rawlen(L, value.index()));
   for (lua_Integer i = 1; i <= size; ++i) {
     lua_rawgeti(L, value.index(), i);
@@ -44,6 +45,7 @@ void read_lights(const Value& value, Draft& draft) {
     if (!light) {
       value.fail(expected, fmt::format("a table whose item {} is {}", i, describe(L, -1)));
     }
+    charge(L, cost, 2 * sizeof(Light) + light->where.size());  // twice: while the list grows
     draft.job.lights.push_back(*light);
     lua_pop(L, 1);
   }

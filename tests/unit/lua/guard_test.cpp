@@ -167,6 +167,33 @@ TEST_F(Guarded, OneFaceInManyPlacesIsManyFaces) {
       "memory");
 }
 
+TEST_F(Guarded, OneLightInManyPlacesIsManyLights) {
+  settings_.limits.memory = 64 << 20;
+  expect_limit(
+      "local l = gr.light({0,0,0}, {1,1,1}, {1,0,0})\n"
+      "local lights = {} for i = 1, 1e6 do lights[i] = l end\n"
+      "gr.render(gr.sphere('s'), 'a.png', 4, 3, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {0,0,0}, lights)",
+      "memory");
+}
+
+TEST_F(Guarded, LongNamesOfChunksAreCutInPlaces) {
+  run("local f = assert(load('return gr.light({0,0,0}, {1,1,1}, {1,0,0})', '@' .. "
+      "('x'):rep(1e5)))\n"
+      "gr.render(gr.sphere('s'), 'a.png', 4, 3, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {0,0,0}, {f()})");
+  EXPECT_LT(jobs_[0].lights[0].where.size(), 1100u);
+}
+
+TEST_F(Guarded, TextsOfPlacesAreCharged) {
+  settings_.limits.memory = 24 << 20;
+  // Two lines in turn, so that each call has a text of its own; without it they take 12 MB at most.
+  for (const std::string made : {"gr.node('n')", "gr.light({0,0,0}, {1,1,1}, {1,0,0})"}) {
+    const std::string loop = " keep = {} for i = 1, 3e4, 2 do keep[i], keep[i + 1] = f() end";
+    const std::string code = "local f = assert(load([[return " + made + ",\n" + made + "]], ";
+    run(code + "'@short'))" + loop);
+    expect_limit(code + "'@' .. ('x'):rep(1000)))" + loop, "memory");
+  }
+}
+
 TEST_F(Guarded, DiamondsComeToAnEnd) {
   const std::string render =
       "gr.render(top, 'a.png', 4, 3, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {0,0,0}, {})";
