@@ -207,6 +207,17 @@ TEST_F(Guarded, DiamondsComeToAnEnd) {
   }
 }
 
+TEST_F(Guarded, MovingNodesBelowEachOtherComeToAnEnd) {
+  settings_.limits.memory = 64 << 20;
+  const auto chain = [](int links) {
+    return "local top = gr.sphere('s')\nfor i = 1, " + std::to_string(links) +
+           " do top = gr.node('n'):motion{to = {translate = {1, 0, 0}}}:add_child(top) end\n"
+           "gr.render(top, 'a.png', 4, 3, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {0,0,0}, {})";
+  };
+  run(chain(100));
+  expect_limit(chain(3000), "moving nodes above it count too");
+}
+
 TEST_F(Guarded, DepthHasALimitAndAMessage) {
   const std::string render =
       "gr.render(top, 'a.png', 4, 3, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {0,0,0}, {})";
