@@ -202,32 +202,41 @@ OptionValue option_value(const Value& value) {
   }
 }
 
-/// Reads a table of fields and options.
-void read_options(const Call& call, int index, std::span<const Field<Draft>> fields, Draft& draft) {
-  const std::vector<std::string> keys = read_fields(call, index, "", fields, draft);
-  std::vector<std::string_view> known = names_of(fields);
+std::vector<std::string_view> names_with_options(std::span<const Field<Draft>> fields) {
+  std::vector<std::string_view> names = names_of(fields);
   for (const OptionSpec& spec : option_specs()) {
     if (spec.in_script) {
-      known.push_back(spec.name);
+      names.push_back(spec.name);
     }
   }
+  return names;
+}
+
+const OptionSpec* option_of_scripts(std::string_view name) {
+  const OptionSpec* spec = find_option(name);
+  return spec != nullptr && spec->in_script ? spec : nullptr;
+}
+
+/// Reads a table of fields and options.
+void read_options(const Call& call, int index, std::span<const Field<Draft>> fields, Draft& draft) {
+  std::vector<std::string> options;
   std::vector<std::string> unknown;
-  for (const std::string& key : keys) {
-    const OptionSpec* spec = find_option(key);
-    if (spec == nullptr || !spec->in_script) {
-      unknown.push_back(key);
-      continue;
-    }
+  for (std::string& key : unknown_keys(call, index, fields)) {
+    (option_of_scripts(key) != nullptr ? options : unknown).push_back(std::move(key));
+  }
+  refuse_keys(call, "", unknown, names_with_options(fields));
+
+  read_fields(call, index, "", fields, draft);
+  for (const std::string& key : options) {
     push_field(call, index, key, {});
     const Value value(call, lua_gettop(call.L), "", key);
     try {
-      spec->set(draft.job.options, option_value(value));
+      option_of_scripts(key)->set(draft.job.options, option_value(value));
     } catch (const std::invalid_argument& error) {
       call.fail(fmt::format("option '{}': {}", key, error.what()));
     }
     lua_pop(call.L, 1);
   }
-  refuse_keys(call, "", unknown, known);
 }
 
 /// Argument 11, when it is a table that can hold options. Scripts of the course framework pass
