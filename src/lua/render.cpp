@@ -73,11 +73,17 @@ constexpr Field<Draft> view{"view", [](const Value& v, Draft& d) {
                               d.job.camera.view = v.triple();
                               d.has_view = true;
                             }};
+constexpr Field<Draft> look_at{"look_at", [](const Value& v, Draft& d) { d.look_at = v.triple(); }};
 constexpr Field<Draft> up{"up", [](const Value& v, Draft& d) { d.job.camera.up = v.triple(); }};
 constexpr Field<Draft> fov{"fov", [](const Value& v, Draft& d) { d.job.camera.fov = v.number(); }};
 constexpr Field<Draft> ambient{"ambient",
                                [](const Value& v, Draft& d) { d.job.ambient = v.colour(); }};
 constexpr Field<Draft> lights{"lights", read_lights};
+
+constexpr Field<Draft> optional(Field<Draft> field) {
+  field.required = false;
+  return field;
+}
 
 void read_size(const Value& value, Draft& draft) {
   constexpr std::string_view expected = "two whole numbers {width, height} from 1 to 65536";
@@ -96,21 +102,32 @@ void read_size(const Value& value, Draft& draft) {
   draft.job.options.height = item(2);
 }
 
-/// Where the camera is at time 1; what is not given stays.
+/// Turns the camera, which messages call `table`, to the point that it looks at, if it does.
+void aim(const Call& call, std::string_view table, Draft& draft) {
+  if (draft.has_view && draft.look_at) {
+    call.fail(fmt::format("{} has both 'view' and 'look_at'; give one", table));
+  }
+  if (draft.look_at) {
+    draft.job.camera.view = *draft.look_at - draft.job.camera.eye;
+    if (draft.job.camera.view == Vec3(0.0)) {
+      call.fail(fmt::format("{} looks at its own 'eye'; 'look_at' must be another point", table));
+    }
+  }
+}
+
+/// Where the camera is at time 1; what is not given stays, the point that it looks at too.
 void read_camera_end(const Value& value, Draft& draft) {
-  static constexpr std::array fields{
-      eye, view, up, fov,
-      Field<Draft>{"look_at", [](const Value& v, Draft& d) { d.look_at = v.triple(); }}};
+  static constexpr std::array fields{optional(eye), view, up, fov, look_at};
   if (value.type() != LUA_TTABLE) {
     value.fail("a table {eye = ..., look_at = ...}");
   }
   Draft end;
   end.job.camera = draft.job.camera;
-  end.look_at = draft.look_at;
-  read_only_fields<Draft>(value.call(), value.index(), "to", fields, end);
-  if (end.look_at && !end.has_view) {
-    end.job.camera.view = *end.look_at - end.job.camera.eye;
+  read_only_fields<Draft>(value.call(), value.index(), "camera.to", fields, end);
+  if (!end.has_view && !end.look_at) {
+    end.look_at = draft.look_at;
   }
+  aim(value.call(), "camera.to", end);
   draft.job.camera.to = std::make_shared<const Camera>(end.job.camera);
 }
 
@@ -138,7 +155,7 @@ void read_camera(const Value& value, Draft& draft) {
       view,
       up,
       fov,
-      Field<Draft>{"look_at", [](const Value& v, Draft& d) { d.look_at = v.triple(); }},
+      look_at,
       Field<Draft>{"aperture", [](const Value& v,
                                   Draft& d) { d.job.camera.aperture = v.number(not_negative); }},
       Field<Draft>{"focus",
@@ -149,16 +166,10 @@ void read_camera(const Value& value, Draft& draft) {
   }
   const Call& call = value.call();
   read_only_fields<Draft>(call, value.index(), "camera", fields, draft);
-  if (draft.has_view == draft.look_at.has_value()) {
-    call.fail(draft.has_view ? "camera has both 'view' and 'look_at'; give one"
-                             : "camera needs 'view' (a direction) or 'look_at' (a point)");
+  if (!draft.has_view && !draft.look_at) {
+    call.fail("camera needs 'view' (a direction) or 'look_at' (a point)");
   }
-  if (draft.look_at) {
-    draft.job.camera.view = *draft.look_at - draft.job.camera.eye;
-    if (draft.job.camera.view == Vec3(0.0)) {
-      call.fail("camera looks at its own 'eye'; 'look_at' must be another point");
-    }
-  }
+  aim(call, "camera", draft);
 }
 
 void read_background(const Value& value, Draft& draft) {
