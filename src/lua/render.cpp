@@ -1,7 +1,6 @@
 /// gr.render: its arguments become a RenderJob.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "describe.h"

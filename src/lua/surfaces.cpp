@@ -7,7 +7,6 @@
 #include "describe.h"
 #include "fields.h"
 #include "functions.h"
-#include "nodes.h"
 #include "textures.h"
 
 namespace rt::lua {
