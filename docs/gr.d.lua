@@ -9,6 +9,12 @@
 ---@class gr.Light
 ---@class gr.Texture
 
+---@class gr.Pose
+---@field translate? number[]
+---@field rotate? { [1]: 'x'|'y'|'z'|number[], [2]: number } axis and degrees
+---@field scale? number|number[]
+---@field about? number[]
+
 ---@class gr.Node
 local Node = {}
 
@@ -178,7 +184,7 @@ function gr.texture(file, scale) end
 ---@param ambient gr.Colour
 ---@param lights gr.Light[]
 ---@param options? table
----@overload fun(fields: { scene: gr.Node, file: string, size: number[], camera: { eye: number[], view?: number[], look_at?: number[], up?: number[], fov?: number, aperture?: number, focus?: number, to?: table }, ambient?: gr.Colour, lights?: gr.Light[], background?: gr.Colour|{ top: gr.Colour, bottom: gr.Colour }, samples?: number, max_error?: number, max_samples?: number, time_limit?: number, filter?: string, aa?: string, seed?: number, max_depth?: number, encoding?: string, accel?: string, reflection?: boolean, refraction?: boolean, soft_shadows?: boolean, glossy?: boolean, antialiasing?: boolean, adaptive?: boolean, motion_blur?: boolean, textures?: boolean, noise?: boolean, texture_filter?: boolean, acceleration?: boolean })
+---@overload fun(fields: { scene: gr.Node, file: string, size: number[], camera: { eye: number[], view?: number[], look_at?: number[], up?: number[], fov?: number, aperture?: number, focus?: number, to?: { eye?: number[], view?: number[], look_at?: number[], up?: number[], fov?: number } }, ambient?: gr.Colour, lights?: gr.Light[], background?: gr.Colour|{ top: gr.Colour, bottom: gr.Colour }, shutter?: number[], samples?: number, max_error?: number, max_samples?: number, time_limit?: number, filter?: string, aa?: string, seed?: number, max_depth?: number, encoding?: string, accel?: string, reflection?: boolean, refraction?: boolean, soft_shadows?: boolean, glossy?: boolean, antialiasing?: boolean, adaptive?: boolean, motion_blur?: boolean, textures?: boolean, noise?: boolean, texture_filter?: boolean, acceleration?: boolean })
 function gr.render(scene, file, width, height, eye, view, up, fov, ambient, lights, options) end
 
 ---Puts a node below this one; a node may have several parents.
@@ -207,7 +213,7 @@ function Node:set_texture(texture, slot, strength) end
 ---Paints the node with noise of kind "fbm", "turbulence", "marble" or "wood", from one colour to another or along a ramp, on "kd", "ks", "opacity" or "bump" (with add = true on top of the bumps there are).
 ---
 ---Example: `node:perlin_noise{octaves = {{scale = 4, weight = 1}}, low = 0.1, high = 0.9}`
----@param fields { octaves?: { scale: number, weight: number }[], low?: gr.Colour, high?: gr.Colour, ramp?: number[][], seed?: number, kind?: string, on?: string, add?: boolean, strength?: number }
+---@param fields { octaves?: { scale: number, weight?: number }[], low?: gr.Colour, high?: gr.Colour, ramp?: { [1]: number, [2]: gr.Colour }[], seed?: number, kind?: string, on?: string, add?: boolean, strength?: number }
 ---@return gr.Node
 function Node:perlin_noise(fields) end
 
@@ -238,12 +244,12 @@ function Node:rotate(axis, degrees) end
 ---@overload fun(self: gr.Node, factor: number): gr.Node
 function Node:scale(x, y, z) end
 
----Moves the node while the shutter is open, t from 0 to 1, about its parent's origin after its transforms. A pose is a table of translate, rotate = {axis, degrees}, scale, about.
+---Moves the node while the shutter is open, about its parent's origin after its transforms. A pose is a table of translate, rotate = {axis, degrees}, scale, about; the function gives that of a time from 0 to 1.
 ---
 ---Example: `node:motion{to = {translate = {1, 0, 0}, rotate = {"y", 90}}}`
----@param fields {  }
+---@param fields { from?: gr.Pose, to: gr.Pose }
 ---@return gr.Node
----@overload fun(self: gr.Node, ): gr.Node
+---@overload fun(self: gr.Node, pose_at: function): gr.Node
 function Node:motion(fields) end
 
 ---Runs name.lua of the script's folder, once, and returns its result.

@@ -37,7 +37,8 @@ constexpr std::array table{
         "y, z}, up: {x, y, z}, fov: number, ambient: colour, lights: {light, ...}, options?: "
         "table) or {scene: node, file: string, size: {w, h}, camera: {eye: {x, y, z}, "
         "view?: {x, y, z}, look_at?: {x, y, z}, up?: {x, y, z}, fov?: number, aperture?: number, "
-        "focus?: number, to?: table}, "
+        "focus?: number, to?: {eye?: {x, y, z}, view?: {x, y, z}, look_at?: {x, y, z}, up?: {x, y, "
+        "z}, fov?: number}}, "
         "ambient?: colour, lights?: {light, ...}, ...options}",
         "Renders the graph as it is now into a picture file.",
         R"(gr.render{scene = root, file = "a.png", size = {640, 480}, )"
@@ -55,7 +56,7 @@ constexpr std::array table{
             "\"opacity\", or be its \"bump\" or \"normal\" map of that strength (1).",
             "node:set_texture(gr.checker({1, 1, 1}, {0, 0, 0}, 1))"},
     Binding{"node:perlin_noise", guarded<node_perlin_noise>, 1,
-            "{octaves?: {{scale: number, weight: number}, ...}, low?: colour, high?: colour, "
+            "{octaves?: {{scale: number, weight?: number}, ...}, low?: colour, high?: colour, "
             "ramp?: {{number, colour}, ...}, seed?: number, kind?: string, on?: string, "
             "add?: boolean, strength?: number}: node",
             "Paints the node with noise of kind \"fbm\", \"turbulence\", \"marble\" or \"wood\", "
@@ -72,9 +73,10 @@ constexpr std::array table{
             "Scales the node about its parent's origin.", "node:scale(2, 2, 2)"},
     Binding{
         "node:motion", guarded<node_motion>, 1,
-        "{from? = pose, to = pose} or (function(t) return pose end): node",
-        "Moves the node while the shutter is open, t from 0 to 1, about its parent's origin after "
-        "its transforms. A pose is a table of translate, rotate = {axis, degrees}, scale, about.",
+        "{from?: pose, to: pose} or (pose_at: function): node",
+        "Moves the node while the shutter is open, about its parent's origin after its transforms. "
+        "A pose is a table of translate, rotate = {axis, degrees}, scale, about; the function "
+        "gives that of a time from 0 to 1.",
         R"(node:motion{to = {translate = {1, 0, 0}, rotate = {"y", 90}}})"},
     Binding{"require", guarded<require_module>, 1, "(name: string): any",
             "Runs name.lua of the script's folder, once, and returns its result.",

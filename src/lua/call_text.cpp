@@ -4,7 +4,6 @@
 #include <cctype>
 #include <charconv>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace rt::lua {

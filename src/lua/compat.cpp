@@ -161,7 +161,7 @@ void open_compat(lua_State* L) {
       lua_getfield(L, -1, old.successor);
       lua_remove(L, -2);
     }
-    lua_pushcclosure(L, call_successor, 3);
+    lua_pushcclosure(L, guarded<call_successor>, 3);
     lua_setfield(L, -2, old.name);
     lua_pop(L, 1);
   }

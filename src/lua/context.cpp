@@ -2,9 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <cstring>
+
 namespace rt::lua {
 
 namespace {
+
+/// The name of the file that is run, cut short where it is no file's: load() takes a name of any
+/// length.
+const char* shown_name(const lua_Debug& frame) {
+  constexpr std::size_t longest = 1024;
+  const bool whole = frame.source[0] == '@' && strnlen(frame.source, longest) < longest;
+  return whole ? frame.source + 1 : frame.short_src;
+}
 
 /// Calls found(file, line) about the line being run, if there is one.
 template <class Found>
@@ -13,7 +23,7 @@ void find_line(lua_State* L, Found found) {
   for (int level = 0; lua_getstack(L, level, &frame) != 0; ++level) {
     lua_getinfo(L, "Sl", &frame);
     if (frame.currentline > 0) {
-      found(frame.source[0] == '@' ? frame.source + 1 : frame.short_src, frame.currentline);
+      found(shown_name(frame), frame.currentline);
       return;
     }
   }
@@ -32,7 +42,9 @@ std::shared_ptr<const std::string> shared_location(lua_State* L) {
   find_line(L, [&](const char* file, int line) {
     Context::Place& last = context(L).last_place;
     if (line != last.line || file != last.file) {
-      last = {file, line, std::make_shared<const std::string>(fmt::format("{}:{}", file, line))};
+      std::string where = fmt::format("{}:{}", file, line);
+      const std::size_t bytes = where.size();
+      last = {file, line, make_charged(L, std::move(where), bytes)};
     }
     text = last.text;
   });

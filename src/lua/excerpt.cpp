@@ -4,13 +4,10 @@
 #include <luaconf.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <fstream>
-#include <iterator>
 #include <optional>
 #include <string_view>
-#include <vector>
 
 #include "call_text.h"
 

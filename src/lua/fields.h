@@ -42,18 +42,12 @@ std::vector<std::string_view> names_of(std::span<const Field<Target>> fields) {
   return names;
 }
 
-/// Reads the fields of the table at `index`, which messages call `table`. Returns the other keys.
+/// The keys of the table at `index` that are none of `fields`.
 template <class Target>
-std::vector<std::string> read_fields(const Call& call, int index, std::string_view table,
-                                     std::span<const Field<Target>> fields, Target& target) {
+std::vector<std::string> unknown_keys(const Call& call, int index,
+                                      std::span<const Field<Target>> fields) {
   std::vector<std::string_view> known = names_of(fields);
   for (const auto& field : fields) {
-    push_field(call, index, field.name, field.alias);
-    const Value value(call, lua_gettop(call.L), table, field.name);
-    if (value.given() || field.required) {
-      field.read(value, target);
-    }
-    lua_pop(call.L, 1);
     if (!field.alias.empty()) {
       known.push_back(field.alias);
     }
@@ -61,12 +55,27 @@ std::vector<std::string> read_fields(const Call& call, int index, std::string_vi
   return other_keys(call.L, index, known);
 }
 
-/// The same; any other key is an error.
+/// Reads the fields of the table at `index`, which messages call `table`.
+template <class Target>
+void read_fields(const Call& call, int index, std::string_view table,
+                 std::span<const Field<Target>> fields, Target& target) {
+  for (const auto& field : fields) {
+    push_field(call, index, field.name, field.alias);
+    const Value value(call, lua_gettop(call.L), table, field.name);
+    if (value.given() || field.required) {
+      field.read(value, target);
+    }
+    lua_pop(call.L, 1);
+  }
+}
+
+/// The same; any other key is an error, and the first to be told: a name that is misspelt is one
+/// that is missing, too.
 template <class Target>
 void read_only_fields(const Call& call, int index, std::string_view table,
                       std::span<const Field<Target>> fields, Target& target) {
-  const auto others = read_fields(call, index, table, fields, target);
-  refuse_keys(call, table, others, names_of(fields));
+  refuse_keys(call, table, unknown_keys(call, index, fields), names_of(fields));
+  read_fields(call, index, table, fields, target);
 }
 
 /// Reads arguments 1, 2, ... as the fields in their order. The first `required` must be there; of

@@ -18,6 +18,14 @@ namespace {
 /// Bytes of a source text.
 constexpr std::size_t largest_source = std::size_t{64} << 20;
 
+/// The path without symbolic links and dots, as far as it exists. Once is not enough:
+/// weakly_canonical stops at the first part that is missing and tidies up the rest as a text, so
+/// that of "missing/../link.lua" a link would be left.
+fs::path resolved(const fs::path& path, std::error_code& error) {
+  const fs::path tidy = fs::weakly_canonical(path, error);
+  return error ? tidy : fs::weakly_canonical(tidy, error);
+}
+
 bool is_mesh(const fs::path& file) {
   std::string extension = file.extension().string();
   std::ranges::transform(extension, extension.begin(),
@@ -47,17 +55,18 @@ std::string listed(std::span<const Folder> folders) {
   return shown.empty() ? last : fmt::format("{} and {}", fmt::join(shown, ", "), last);
 }
 
-}  // namespace
-
+/// The folder as messages show it, and where it really is.
 Folder folder(const fs::path& shown) {
   std::error_code error;
-  const fs::path real = fs::weakly_canonical(shown.empty() ? fs::path(".") : shown, error);
+  const fs::path real = resolved(shown.empty() ? fs::path(".") : shown, error);
   if (error) {
     throw FileError(
         fmt::format("cannot open the folder '{}': {}", shown.string(), error.message()));
   }
   return {shown, fs::absolute(real)};
 }
+
+}  // namespace
 
 std::vector<Folder> module_folders(const fs::path& script, const Settings& settings) {
   std::vector<Folder> folders{folder(script.parent_path())};
@@ -108,7 +117,7 @@ FoundFile find_file(const Call& call, const std::string& name, std::span<const F
     }
     std::error_code error;
     const fs::path candidate = folder.real / name;
-    const fs::path real = fs::weakly_canonical(candidate, error);
+    const fs::path real = resolved(candidate, error);
     if (error || name.find('\0') != std::string::npos) {
       continue;
     }

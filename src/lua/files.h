@@ -14,9 +14,6 @@ struct FoundFile {
   std::string shown;  ///< as in messages
 };
 
-/// The folder as messages show it, and where it really is.
-Folder folder(const std::filesystem::path& shown);
-
 /// Where a script's modules are looked for: its folder, and those that the user allows.
 std::vector<Folder> module_folders(const std::filesystem::path& script, const Settings& settings);
 

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 #include "context.h"
@@ -183,7 +182,7 @@ void Guard::reckon_uncounted() {
 
 void Guard::abandon() const {
   const std::string text = fmt::format(
-      "error: {}: {}. It was inside one call of a function of Lua's library, such as string.find "
+      "error: {}: {}. It was inside one long call, such as gr.mesh of a large file or string.find "
       "with a pattern that tries too many ways\n",
       script_, time_text(limits_.seconds));
   // The script's thread may hold the lock of a stream.

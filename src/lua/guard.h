@@ -17,8 +17,8 @@ namespace rt::lua {
 ///
 /// Time: a watchdog thread signals the script's thread when the time is up, whose handler sets a
 /// hook (what lua_sethook is documented for), which raises an error at the next instruction. A
-/// script that is inside one long call of a library function comes to no next instruction: a
-/// second later the watchdog ends the process.
+/// script that is inside one long call, of a library function or of gr.mesh, comes to no next
+/// instruction: a second later the watchdog ends the process.
 ///
 /// Instructions: Lua counts them only with a hook set, and then runs a third slower. A limit below
 /// `counted_exactly` is counted from the start. Above that the hook is set once the script has run

@@ -124,14 +124,9 @@ void open_libraries(lua_State* L) {
   open_coroutines(L);
 }
 
-void open_all_libraries(lua_State* L, const char* folder) {
+void open_all_libraries(lua_State* L) {
   luaL_openlibs(L);
   open_coroutines(L);
-  lua_getglobal(L, LUA_LOADLIBNAME);
-  lua_getfield(L, -1, "path");
-  lua_pushfstring(L, "%s/?.lua;%s", folder, lua_tostring(L, -1));
-  lua_setfield(L, -3, "path");
-  lua_pop(L, 2);
 }
 
 }  // namespace rt::lua

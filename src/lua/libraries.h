@@ -9,7 +9,8 @@ namespace rt::lua {
 /// debug nor package.
 void open_libraries(lua_State* L);
 
-/// Opens all of them, for a script that is trusted. `folder` is where its modules lie.
-void open_all_libraries(lua_State* L, const char* folder);
+/// Opens all of them, for a script that is trusted. `require` and `dofile` stay those of the
+/// bindings, which replace Lua's.
+void open_all_libraries(lua_State* L);
 
 }  // namespace rt::lua

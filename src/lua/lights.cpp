@@ -74,7 +74,8 @@ int make_light(Call& call) {
     draft.light.travel = *draft.to - draft.light.position;
   }
   draft.light.where = location(call.L);
-  push<const Light>(call.L, make_charged(call.L, std::move(draft.light)));
+  const std::size_t beside = draft.light.where.size();
+  push<const Light>(call.L, make_charged(call.L, std::move(draft.light), beside));
   return 1;
 }
 

@@ -1,6 +1,4 @@
 /// The methods of nodes.
-#include <cctype>
-
 #include "call.h"
 #include "functions.h"
 #include "nodes.h"
@@ -16,16 +14,6 @@ Vec3 vector_argument(Call& call) {
   }
   return {call.argument(1, "x").number(), call.argument(2, "y").number(),
           call.argument(3, "z").number()};
-}
-
-int axis_argument(const Value& value) {
-  constexpr std::string_view expected = "an axis 'x', 'y' or 'z'";
-  const std::string text = value.text(expected);
-  const int axis = text.size() == 1 ? std::tolower(static_cast<unsigned char>(text[0])) - 'x' : -1;
-  if (axis < 0 || axis > 2) {
-    value.fail(expected);
-  }
-  return axis;
 }
 
 }  // namespace
@@ -49,7 +37,7 @@ int node_translate(Call& call) {
 }
 
 int node_rotate(Call& call) {
-  const int axis = axis_argument(call.argument(1, "axis"));
+  const int axis = call.argument(1, "axis").axis("an axis 'x', 'y' or 'z'");
   rt::rotate(*call.self(), axis, call.argument(2, "degrees").number(), call.run().settings.order);
   return call.return_self();
 }

@@ -1,8 +1,5 @@
 /// node:motion.
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cctype>
 
 #include "context.h"
 #include "fields.h"
@@ -22,13 +19,8 @@ Vec3 axis_of(const Value& value) {
     }
     return axis;
   }
-  const std::string text = value.text(rotation_words);
-  const int k = text.size() == 1 ? std::tolower(static_cast<unsigned char>(text[0])) - 'x' : -1;
-  if (k < 0 || k > 2) {
-    value.fail(rotation_words);
-  }
   Vec3 axis(0.0);
-  axis[k] = 1.0;
+  axis[value.axis(rotation_words)] = 1.0;
   return axis;
 }
 

@@ -70,6 +70,9 @@ std::string editor_annotations() {
       "---A colour {r, g, b}, or one number for a grey; linear, not negative.\n"
       "---@alias gr.Colour number|number[]\n\n"
       "---@class gr.Material\n---@class gr.Light\n---@class gr.Texture\n\n"
+      "---@class gr.Pose\n---@field translate? number[]\n"
+      "---@field rotate? { [1]: 'x'|'y'|'z'|number[], [2]: number } axis and degrees\n"
+      "---@field scale? number|number[]\n---@field about? number[]\n\n"
       "---@class gr.Node\nlocal Node = {}\n\n"
       "---The frame of an animation (--frames, --frame), else nil.\n"
       "---@type integer?\nframe = nil\n\n"
@@ -95,6 +98,9 @@ std::string reference_page() {
       "nil.\n\n"
       "    frame: integer or nil\n    ball:translate(0.1 * (frame or 0), 0, 0)\n";
   page += "\n## Options of gr.render\n\n| option | meaning |\n|---|---|\n";
+  for (const TableOption& option : table_options) {
+    page += fmt::format("| `{}` | {} |\n", option.name, option.help);
+  }
   for (const OptionSpec& spec : option_specs()) {
     if (spec.in_script) {
       page += fmt::format("| `{}` | {} |\n", spec.name, spec.help);

@@ -1,7 +1,6 @@
 /// gr.render: its arguments become a RenderJob.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "describe.h"
@@ -37,6 +36,7 @@ void read_lights(const Value& value, Draft& draft) {
   }
   const Call& call = value.call();
   lua_State* L = call.L;
+  Charge cost(call.run().memory);  // light by light: one may stand in the list a million times
   const auto size = static_cast<lua_Integer>(lua_rawlen(L, value.index()));
   for (lua_Integer i = 1; i <= size; ++i) {
     lua_rawgeti(L, value.index(), i);
@@ -44,6 +44,7 @@ void read_lights(const Value& value, Draft& draft) {
     if (!light) {
       value.fail(expected, fmt::format("a table whose item {} is {}", i, describe(L, -1)));
     }
+    charge(L, cost, 2 * sizeof(Light) + light->where.size());  // twice: while the list grows
     draft.job.lights.push_back(*light);
     lua_pop(L, 1);
   }
@@ -71,11 +72,17 @@ constexpr Field<Draft> view{"view", [](const Value& v, Draft& d) {
                               d.job.camera.view = v.triple();
                               d.has_view = true;
                             }};
+constexpr Field<Draft> look_at{"look_at", [](const Value& v, Draft& d) { d.look_at = v.triple(); }};
 constexpr Field<Draft> up{"up", [](const Value& v, Draft& d) { d.job.camera.up = v.triple(); }};
 constexpr Field<Draft> fov{"fov", [](const Value& v, Draft& d) { d.job.camera.fov = v.number(); }};
 constexpr Field<Draft> ambient{"ambient",
                                [](const Value& v, Draft& d) { d.job.ambient = v.colour(); }};
 constexpr Field<Draft> lights{"lights", read_lights};
+
+constexpr Field<Draft> optional(Field<Draft> field) {
+  field.required = false;
+  return field;
+}
 
 void read_size(const Value& value, Draft& draft) {
   constexpr std::string_view expected = "two whole numbers {width, height} from 1 to 65536";
@@ -94,21 +101,32 @@ void read_size(const Value& value, Draft& draft) {
   draft.job.options.height = item(2);
 }
 
-/// Where the camera is at time 1; what is not given stays.
+/// Turns the camera, which messages call `table`, to the point that it looks at, if it does.
+void aim(const Call& call, std::string_view table, Draft& draft) {
+  if (draft.has_view && draft.look_at) {
+    call.fail(fmt::format("{} has both 'view' and 'look_at'; give one", table));
+  }
+  if (draft.look_at) {
+    draft.job.camera.view = *draft.look_at - draft.job.camera.eye;
+    if (draft.job.camera.view == Vec3(0.0)) {
+      call.fail(fmt::format("{} looks at its own 'eye'; 'look_at' must be another point", table));
+    }
+  }
+}
+
+/// Where the camera is at time 1; what is not given stays, the point that it looks at too.
 void read_camera_end(const Value& value, Draft& draft) {
-  static constexpr std::array fields{
-      eye, view, up, fov,
-      Field<Draft>{"look_at", [](const Value& v, Draft& d) { d.look_at = v.triple(); }}};
+  static constexpr std::array fields{optional(eye), view, up, fov, look_at};
   if (value.type() != LUA_TTABLE) {
     value.fail("a table {eye = ..., look_at = ...}");
   }
   Draft end;
   end.job.camera = draft.job.camera;
-  end.look_at = draft.look_at;
-  read_only_fields<Draft>(value.call(), value.index(), "to", fields, end);
-  if (end.look_at && !end.has_view) {
-    end.job.camera.view = *end.look_at - end.job.camera.eye;
+  read_only_fields<Draft>(value.call(), value.index(), "camera.to", fields, end);
+  if (!end.has_view && !end.look_at) {
+    end.look_at = draft.look_at;
   }
+  aim(value.call(), "camera.to", end);
   draft.job.camera.to = std::make_shared<const Camera>(end.job.camera);
 }
 
@@ -136,7 +154,7 @@ void read_camera(const Value& value, Draft& draft) {
       view,
       up,
       fov,
-      Field<Draft>{"look_at", [](const Value& v, Draft& d) { d.look_at = v.triple(); }},
+      look_at,
       Field<Draft>{"aperture", [](const Value& v,
                                   Draft& d) { d.job.camera.aperture = v.number(not_negative); }},
       Field<Draft>{"focus",
@@ -147,16 +165,10 @@ void read_camera(const Value& value, Draft& draft) {
   }
   const Call& call = value.call();
   read_only_fields<Draft>(call, value.index(), "camera", fields, draft);
-  if (draft.has_view == draft.look_at.has_value()) {
-    call.fail(draft.has_view ? "camera has both 'view' and 'look_at'; give one"
-                             : "camera needs 'view' (a direction) or 'look_at' (a point)");
+  if (!draft.has_view && !draft.look_at) {
+    call.fail("camera needs 'view' (a direction) or 'look_at' (a point)");
   }
-  if (draft.look_at) {
-    draft.job.camera.view = *draft.look_at - draft.job.camera.eye;
-    if (draft.job.camera.view == Vec3(0.0)) {
-      call.fail("camera looks at its own 'eye'; 'look_at' must be another point");
-    }
-  }
+  aim(call, "camera", draft);
 }
 
 void read_background(const Value& value, Draft& draft) {
@@ -200,32 +212,41 @@ OptionValue option_value(const Value& value) {
   }
 }
 
-/// Reads a table of fields and options.
-void read_options(const Call& call, int index, std::span<const Field<Draft>> fields, Draft& draft) {
-  const std::vector<std::string> keys = read_fields(call, index, "", fields, draft);
-  std::vector<std::string_view> known = names_of(fields);
+std::vector<std::string_view> names_with_options(std::span<const Field<Draft>> fields) {
+  std::vector<std::string_view> names = names_of(fields);
   for (const OptionSpec& spec : option_specs()) {
     if (spec.in_script) {
-      known.push_back(spec.name);
+      names.push_back(spec.name);
     }
   }
+  return names;
+}
+
+const OptionSpec* option_of_scripts(std::string_view name) {
+  const OptionSpec* spec = find_option(name);
+  return spec != nullptr && spec->in_script ? spec : nullptr;
+}
+
+/// Reads a table of fields and options.
+void read_options(const Call& call, int index, std::span<const Field<Draft>> fields, Draft& draft) {
+  std::vector<std::string> options;
   std::vector<std::string> unknown;
-  for (const std::string& key : keys) {
-    const OptionSpec* spec = find_option(key);
-    if (spec == nullptr || !spec->in_script) {
-      unknown.push_back(key);
-      continue;
-    }
+  for (std::string& key : unknown_keys(call, index, fields)) {
+    (option_of_scripts(key) != nullptr ? options : unknown).push_back(std::move(key));
+  }
+  refuse_keys(call, "", unknown, names_with_options(fields));
+
+  read_fields(call, index, "", fields, draft);
+  for (const std::string& key : options) {
     push_field(call, index, key, {});
     const Value value(call, lua_gettop(call.L), "", key);
     try {
-      spec->set(draft.job.options, option_value(value));
+      option_of_scripts(key)->set(draft.job.options, option_value(value));
     } catch (const std::invalid_argument& error) {
       call.fail(fmt::format("option '{}': {}", key, error.what()));
     }
     lua_pop(call.L, 1);
   }
-  refuse_keys(call, "", unknown, known);
 }
 
 /// Argument 11, when it is a table that can hold options. Scripts of the course framework pass

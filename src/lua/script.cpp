@@ -71,8 +71,7 @@ int run_program(lua_State* L) {
   const auto& program = *static_cast<const Program*>(lua_touserdata(L, 1));
   const Context& run = context(L);
   if (run.settings.trust) {
-    const auto& shown = run.module_folders.front().shown;
-    open_all_libraries(L, shown.empty() ? "." : shown.c_str());
+    open_all_libraries(L);
   } else {
     open_libraries(L);
   }

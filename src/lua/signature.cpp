@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cctype>
 #include <utility>
 
@@ -61,7 +60,9 @@ bool begins_parameter(std::string_view piece) {
 }
 
 void add_options(std::vector<Parameter>& parameters) {
-  parameters.push_back({"background", "colour or {top: colour, bottom: colour}", true});
+  for (const TableOption& option : table_options) {
+    parameters.push_back({std::string(option.name), std::string(option.type), true});
+  }
   for (const OptionSpec& spec : option_specs()) {
     if (spec.in_script) {
       constexpr const char* types[] = {"boolean", "number", "string"};
@@ -99,12 +100,19 @@ std::string table_type(std::string_view fields) {
   return fmt::format("{{ {} }}", text);
 }
 
+/// Items of several types, as in {number, colour}.
+std::string tuple_type(const std::vector<std::string_view>& items) {
+  std::string text;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    text += fmt::format("{}[{}]: {}", i == 0 ? "" : ", ", i + 1, luacats_type(items[i]));
+  }
+  return fmt::format("{{ {} }}", text);
+}
+
 std::string simple_type(std::string_view type) {
-  constexpr std::pair<std::string_view, std::string_view> ours[] = {{"node", "gr.Node"},
-                                                                    {"material", "gr.Material"},
-                                                                    {"light", "gr.Light"},
-                                                                    {"texture", "gr.Texture"},
-                                                                    {"colour", "gr.Colour"}};
+  constexpr std::pair<std::string_view, std::string_view> ours[] = {
+      {"node", "gr.Node"},       {"material", "gr.Material"}, {"light", "gr.Light"},
+      {"texture", "gr.Texture"}, {"colour", "gr.Colour"},     {"pose", "gr.Pose"}};
   for (const auto& [name, luacats] : ours) {
     if (type == name) {
       return std::string(luacats);
@@ -121,7 +129,7 @@ std::string simple_type(std::string_view type) {
   if (items.back() == "...") {
     return luacats_type(items.front()) + "[]";
   }
-  return "number[]";
+  return items.front() == "number" ? tuple_type(items) : "number[]";
 }
 
 }  // namespace

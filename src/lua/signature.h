@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,19 @@ struct Form {
 struct Signature {
   std::vector<Form> forms;
   std::string result;
+};
+
+/// An option of gr.render whose value is a table, beside those of option_specs().
+struct TableOption {
+  std::string_view name;
+  std::string_view type;
+  std::string_view help;
+};
+inline constexpr std::array table_options{
+    TableOption{"background", "colour or {top: colour, bottom: colour}",
+                "what rays that leave the scene see: one colour, or from bottom to top"},
+    TableOption{"shutter", "{open, close}",
+                "the part of the time from 0 to 1 that the picture sees (default {0, 1})"},
 };
 
 Signature parse_signature(std::string_view text);

@@ -7,7 +7,6 @@
 #include "describe.h"
 #include "fields.h"
 #include "functions.h"
-#include "nodes.h"
 #include "textures.h"
 
 namespace rt::lua {
@@ -92,29 +91,56 @@ void each_item(const Value& list, std::string_view expected, Read read) {
   }
 }
 
-/// Item `i` of a table, or its field `name`.
-template <class Read>
-void read_member(const Value& table, int i, std::string_view name, Read read) {
-  lua_State* L = table.call().L;
-  if (lua_rawgeti(L, table.index(), i) == LUA_TNIL) {
-    lua_pop(L, 1);
-    lua_pushlstring(L, name.data(), name.size());
-    lua_rawget(L, table.index());
+/// Reads a table whose fields stand in it by name, or in their order.
+template <class Target>
+void read_members(const Value& table, std::span<const Field<Target>> fields, Target& target) {
+  const Call& call = table.call();
+  lua_State* L = call.L;
+  std::vector<std::string> unknown = unknown_keys(call, table.index(), fields);
+  for (std::size_t i = 1; i <= fields.size(); ++i) {
+    std::erase(unknown, fmt::format("[{}]", i));
   }
-  read(Value(table.call(), lua_gettop(L), table.name(), name));
-  lua_pop(L, 1);
+  refuse_keys(call, table.name(), unknown, names_of(fields));
+  lua_Integer i = 0;
+  for (const auto& field : fields) {
+    push_field(call, table.index(), field.name, field.alias);
+    if (lua_rawgeti(L, table.index(), ++i) != LUA_TNIL) {
+      if (!lua_isnil(L, -2)) {
+        call.fail(fmt::format("{} has '{}' twice, by name and as item {}; give one", table.name(),
+                              field.name, i));
+      }
+      lua_replace(L, -2);
+    } else {
+      lua_pop(L, 1);
+    }
+    const Value value(call, lua_gettop(L), table.name(), field.name);
+    if (value.given() || field.required) {
+      field.read(value, target);
+    }
+    lua_pop(L, 1);
+  }
 }
+
+constexpr std::array octave_fields{
+    Field<Octave>{"scale", [](const Value& v, Octave& o) { o.frequency = v.number(positive); }, "",
+                  true},
+    Field<Octave>{"weight", [](const Value& v, Octave& o) { o.weight = v.number(not_negative); }},
+};
 
 void read_octaves(const Value& value, NoiseDraft& draft) {
   draft.texture.octaves.clear();
   each_item(value, "a list of octaves {{scale = 1, weight = 1}, ...}", [&](const Value& item) {
     Octave octave{1.0, 1.0};
-    read_member(item, 1, "scale", [&](const Value& v) { octave.frequency = v.number(positive); });
-    read_member(item, 2, "weight",
-                [&](const Value& v) { octave.weight = v.given() ? v.number(not_negative) : 1.0; });
+    read_members<Octave>(item, octave_fields, octave);
     draft.texture.octaves.push_back(octave);
   });
 }
+
+constexpr std::array stop_fields{
+    Field<RampStop>{"at", [](const Value& v, RampStop& s) { s.at = v.number(); }, "", true},
+    Field<RampStop>{"colour", [](const Value& v, RampStop& s) { s.colour = v.colour(); }, "color",
+                    true},
+};
 
 void read_ramp(const Value& value, NoiseDraft& draft) {
   constexpr std::string_view expected = "a ramp {{0, colour}, {1, colour}, ...}";
@@ -122,8 +148,7 @@ void read_ramp(const Value& value, NoiseDraft& draft) {
   draft.has_ramp = true;
   each_item(value, expected, [&](const Value& item) {
     RampStop stop{0.0, Rgb(0.0)};
-    read_member(item, 1, "at", [&](const Value& v) { stop.at = v.number(); });
-    read_member(item, 2, "colour", [&](const Value& v) { stop.colour = v.colour(); });
+    read_members<RampStop>(item, stop_fields, stop);
     if (!draft.texture.ramp.empty() && stop.at < draft.texture.ramp.back().at) {
       item.fail("stops in rising order",
                 fmt::format("{} after {}", stop.at, draft.texture.ramp.back().at));

@@ -5,7 +5,6 @@
 #include <array>
 
 #include "call.h"
-#include "describe.h"
 #include "fields.h"
 #include "files.h"
 #include "functions.h"

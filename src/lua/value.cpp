@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <cmath>
 
 #include "call.h"
@@ -61,6 +62,16 @@ std::string Value::text(std::string_view expected) const {
   std::size_t size = 0;
   const char* data = lua_tolstring(state(), index_, &size);
   return {data, size};
+}
+
+int Value::axis(std::string_view expected) const {
+  const std::string letter = text(expected);
+  const int axis =
+      letter.size() == 1 ? std::tolower(static_cast<unsigned char>(letter[0])) - 'x' : -1;
+  if (axis < 0 || axis > 2) {
+    fail(expected);
+  }
+  return axis;
 }
 
 Vec3 Value::triple(const Range& range, std::string_view expected) const {

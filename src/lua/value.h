@@ -50,6 +50,8 @@ class Value {
   int whole(int lo, int hi, std::string_view expected) const;
   bool boolean() const;
   std::string text(std::string_view expected) const;
+  /// 0, 1 or 2 for 'x', 'y' or 'z', small or capital.
+  int axis(std::string_view expected) const;
   /// {x, y, z}.
   Vec3 triple(const Range& range = any_number,
               std::string_view expected = "three numbers {x, y, z}") const;

@@ -83,8 +83,8 @@ class Flattener {
     Affine above_from_node = parent.above_from_node * node.parent_from_node;
     std::shared_ptr<const MotionPath> path = parent.path;
     if (node.motion) {
-      path = extended(path, {parent.above_from_node, nullptr});
-      path = extended(path, {node.parent_from_node, node.motion});
+      path = longer(node, path, {parent.above_from_node, nullptr});
+      path = longer(node, path, {node.parent_from_node, node.motion});
       above_from_node = {};
     }
     const Paint paint = painted(node, parent.paint);
@@ -117,13 +117,29 @@ class Flattener {
     throw UserError(ExitCode::limit,
                     fmt::format("at node '{}' the scene comes to more than {} shapes, for which "
                                 "there is no memory (a node counts once for each way that leads "
-                                "to it)",
+                                "to it, and moving nodes above it count too)",
                                 node.name, max_instances_));
+  }
+
+  bool is_full() const {
+    return result_.instances.size() + path_bytes_ / instance_bytes >= max_instances_;
+  }
+
+  /// The path with one more link. Each is a copy: moving nodes below each other take memory by the
+  /// square of their number.
+  std::shared_ptr<const MotionPath> longer(const Node& node,
+                                           const std::shared_ptr<const MotionPath>& path,
+                                           MotionPath::Link link) {
+    path_bytes_ += ((path ? path->links.size() : 0) + 1) * sizeof(MotionPath::Link);
+    if (is_full()) {
+      refuse(node);
+    }
+    return extended(path, std::move(link));
   }
 
   void place(const Node& node, const Affine& above_from_model,
              const std::shared_ptr<const MotionPath>& above, const Paint& paint) {
-    const auto path = above ? extended(above, {above_from_model, nullptr}) : nullptr;
+    const auto path = above ? longer(node, above, {above_from_model, nullptr}) : nullptr;
     const Affine world_from_model = path ? path->at(0.0) : above_from_model;
     if (!inverse(world_from_model)) {
       throw SceneError(fmt::format(
@@ -131,7 +147,7 @@ class Flattener {
           "their scales are too extreme or not finite",
           name_and_place(node)));
     }
-    if (result_.instances.size() >= max_instances_) {
+    if (is_full()) {
       refuse(node);
     }
     cover_.show(node, paint.textures.get(), paint.group.get());
@@ -160,6 +176,7 @@ class Flattener {
 
   std::size_t max_instances_;
   std::size_t visits_ = 0;
+  std::size_t path_bytes_ = 0;  ///< of all paths made; counted as if they were instances
   Flattened result_;
   TextureCover cover_;
   std::shared_ptr<const Material> default_material_;

@@ -57,7 +57,11 @@ Affine MotionPath::at(double time) const {
 
 std::shared_ptr<const MotionPath> extended(const std::shared_ptr<const MotionPath>& path,
                                            MotionPath::Link link) {
-  auto longer = path ? std::make_shared<MotionPath>(*path) : std::make_shared<MotionPath>();
+  auto longer = std::make_shared<MotionPath>();
+  if (path) {
+    longer->links.reserve(path->links.size() + 1);
+    longer->links = path->links;
+  }
   longer->links.push_back(std::move(link));
   return longer;
 }

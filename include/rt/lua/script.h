@@ -62,10 +62,12 @@ struct Settings {
 /// Throws UserError, its text beginning with script:line where that is known: SceneError for what
 /// the script does wrong, FileError when the script cannot be read, and whatever the host throws,
 /// with its exit code kept; ExitCode::limit when a limit stopped it. An error that the script
-/// itself catches (pcall) is none, but for limits and interruptions.
+/// itself catches (pcall) is none, memory that was refused included; the limits of time and of
+/// instructions, and interruptions, hold all the same.
 ///
-/// A script that does not come back from one call of a library function in time ends the process:
-/// a message on standard error, exit code 4. Only one script runs at a time in a process.
+/// A script that does not come back in time from one call, of a library function or of gr.mesh,
+/// ends the process: a message on standard error, exit code 4. Only one script runs at a time in a
+/// process.
 void run_script(const std::filesystem::path& path, const std::vector<std::string>& args,
                 const Host& host, const Settings& settings = {});
 

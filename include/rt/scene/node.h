@@ -65,7 +65,7 @@ inline constexpr std::size_t instance_bytes = 512;
 
 /// Throws SceneError naming the node for a singular or non-finite accumulated transform, and when
 /// the graph is deeper than 10 000 nodes; UserError with ExitCode::limit when it comes to more than
-/// `max_instances` shapes.
+/// `max_instances` shapes, or to movements of nested nodes that take as much memory.
 Flattened flatten(const Node& root, std::size_t max_instances = 20'000'000);
 
 }  // namespace rt

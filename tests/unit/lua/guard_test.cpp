@@ -167,6 +167,33 @@ TEST_F(Guarded, OneFaceInManyPlacesIsManyFaces) {
       "memory");
 }
 
+TEST_F(Guarded, OneLightInManyPlacesIsManyLights) {
+  settings_.limits.memory = 64 << 20;
+  expect_limit(
+      "local l = gr.light({0,0,0}, {1,1,1}, {1,0,0})\n"
+      "local lights = {} for i = 1, 1e6 do lights[i] = l end\n"
+      "gr.render(gr.sphere('s'), 'a.png', 4, 3, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {0,0,0}, lights)",
+      "memory");
+}
+
+TEST_F(Guarded, LongNamesOfChunksAreCutInPlaces) {
+  run("local f = assert(load('return gr.light({0,0,0}, {1,1,1}, {1,0,0})', '@' .. "
+      "('x'):rep(1e5)))\n"
+      "gr.render(gr.sphere('s'), 'a.png', 4, 3, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {0,0,0}, {f()})");
+  EXPECT_LT(jobs_[0].lights[0].where.size(), 1100u);
+}
+
+TEST_F(Guarded, TextsOfPlacesAreCharged) {
+  settings_.limits.memory = 24 << 20;
+  // Two lines in turn, so that each call has a text of its own; without it they take 12 MB at most.
+  for (const std::string made : {"gr.node('n')", "gr.light({0,0,0}, {1,1,1}, {1,0,0})"}) {
+    const std::string loop = " keep = {} for i = 1, 3e4, 2 do keep[i], keep[i + 1] = f() end";
+    const std::string code = "local f = assert(load([[return " + made + ",\n" + made + "]], ";
+    run(code + "'@short'))" + loop);
+    expect_limit(code + "'@' .. ('x'):rep(1000)))" + loop, "memory");
+  }
+}
+
 TEST_F(Guarded, DiamondsComeToAnEnd) {
   const std::string render =
       "gr.render(top, 'a.png', 4, 3, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {0,0,0}, {})";
@@ -178,6 +205,17 @@ TEST_F(Guarded, DiamondsComeToAnEnd) {
                      render,
                  "shapes, for which there is no memory");
   }
+}
+
+TEST_F(Guarded, MovingNodesBelowEachOtherComeToAnEnd) {
+  settings_.limits.memory = 64 << 20;
+  const auto chain = [](int links) {
+    return "local top = gr.sphere('s')\nfor i = 1, " + std::to_string(links) +
+           " do top = gr.node('n'):motion{to = {translate = {1, 0, 0}}}:add_child(top) end\n"
+           "gr.render(top, 'a.png', 4, 3, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {0,0,0}, {})";
+  };
+  run(chain(100));
+  expect_limit(chain(3000), "moving nodes above it count too");
 }
 
 TEST_F(Guarded, DepthHasALimitAndAMessage) {

@@ -53,6 +53,8 @@ TEST_F(Lights, ZeroFalloffNamesTheLight) {
 }
 
 TEST_F(Lights, BadValuesAreExplained) {
+  expect_error("gr.light{postion={0, 0, 0}}",
+               "scene.lua:1: gr.light: ", {"unknown key 'postion'; did you mean 'position'"});
   expect_error("gr.light{colour=1}", "scene.lua:1: gr.light: ", {"'position'", "got nil"});
   expect_error("gr.light({0, 0}, 1, {1, 0, 0})",
                "scene.lua:1: ", {"argument 1 (position)", "item 3"});

@@ -66,6 +66,8 @@ TEST_F(Modules, FilesOutsideTheScriptsFolderAreRefused) {
   EXPECT_TRUE(fails("dofile '../outside.lua'"));
   EXPECT_TRUE(fails("dofile '" + outside.string() + "'"));
   EXPECT_TRUE(fails("dofile 'link.lua'"));
+  EXPECT_TRUE(fails("dofile 'nothing/../link.lua'"));
+  EXPECT_TRUE(fails("dofile 'nothing/../up/outside.lua'"));
   EXPECT_TRUE(fails("require 'link'"));
   EXPECT_TRUE(fails("dofile 'up/outside.lua'"));
   EXPECT_TRUE(fails("require 'up.outside'"));

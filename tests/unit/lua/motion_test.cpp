@@ -76,6 +76,34 @@ TEST_F(MotionScript, CameraLightAndShutter) {
   expect_near(half.eye, {0.5, 0, 9});
 }
 
+TEST_F(MotionScript, OfTheCameraWhatIsNotGivenStays) {
+  const auto end = [&](const std::string& camera) {
+    run("gr.render{scene=gr.sphere('s'), file='a.png', size={4,3}, camera={eye={0,0,9}, " + camera +
+        "}}");
+    return *jobs_.back().camera.to;
+  };
+  expect_near(end("look_at={0,0,0}, to={look_at={1,0,0}}").eye, {0, 0, 9});
+  expect_near(end("look_at={0,0,0}, to={look_at={1,0,0}}").view, {1, 0, -9});
+  expect_near(end("look_at={0,0,0}, to={eye={1,0,9}}").view, {-1, 0, -9});
+  expect_near(end("look_at={0,0,0}, to={view={1,0,0}}").view, {1, 0, 0});
+  expect_near(end("view={0,0,-1}, to={eye={1,0,9}}").view, {0, 0, -1});
+  EXPECT_EQ(end("look_at={0,0,0}, to={fov=20}").fov, 20.0);
+}
+
+TEST_F(MotionScript, MistakesOfTheCameraAreNamed) {
+  const auto camera = [](const std::string& to) {
+    return "gr.render{scene=gr.sphere('s'), file='a.png', size={4,3}, "
+           "camera={eye={0,0,9}, look_at={0,0,0}, to=" +
+           to + "}}";
+  };
+  expect_error(camera("{view={0,0,1}, look_at={1,0,0}}"), "scene.lua:1: gr.render",
+               {"camera.to has both 'view' and 'look_at'"});
+  expect_error(camera("{eye={0,0,0}}"), "scene.lua:1: gr.render",
+               {"camera.to looks at its own 'eye'"});
+  expect_error(camera("{aye={0,0,0}}"), "scene.lua:1: gr.render",
+               {"unknown key 'aye' in camera.to", "did you mean 'eye'"});
+}
+
 TEST_F(MotionScript, Mistakes) {
   const auto motion = [](const std::string& text) { return "gr.sphere('s'):motion" + text; };
   expect_error(motion("(3)"), "scene.lua:1: node:motion of 's'", {"{from =, to =} or a function"});

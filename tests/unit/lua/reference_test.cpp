@@ -40,8 +40,23 @@ TEST(Reference, TypesAreThoseOfLuaCats) {
         "---@param axis 'x'|'y'|'z'\n", "---@param size number|number[]\n",
         "---@param lights gr.Light[]\n", "shininess?: number", "camera: { eye: number[], ",
         "max_depth?: number", "reflection?: boolean", "---@param options? table\n",
+        "---@param fields { from?: gr.Pose, to: gr.Pose }\n",
+        "---@overload fun(self: gr.Node, pose_at: function): gr.Node\n", "to?: { eye?: number[], ",
+        "shutter?: number[]", "ramp?: { [1]: number, [2]: gr.Colour }[]",
         "function Node:rotate(axis, degrees) end\n"}) {
     EXPECT_NE(text.find(line), std::string::npos) << line;
+  }
+}
+
+TEST(Reference, SignaturesAreParsedWhole) {
+  for (const char* piece : {"{  }", ", )", "fun()"}) {
+    EXPECT_EQ(editor_annotations().find(piece), std::string::npos) << piece;
+  }
+}
+
+TEST(Reference, ThePageListsEveryOption) {
+  for (const char* row : {"| `background` | ", "| `shutter` | ", "| `samples` | "}) {
+    EXPECT_NE(reference_page().find(row), std::string::npos) << row;
   }
 }
 

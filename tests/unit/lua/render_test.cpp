@@ -188,6 +188,8 @@ TEST_F(Render, ImpossibleCamerasAreErrors) {
                "scene.lua:2: ", {"both"});
   expect_error(named_text("", "eye={0,0,1}, look_at={0,0,1}"), "scene.lua:2: ", {"its own 'eye'"});
   expect_error(named_text("", "look_at={0,0,1}"), "scene.lua:2: ", {"'camera.eye', got nil"});
+  expect_error("gr.render{scen = gr.node('n'), file = 'a.png'}", "scene.lua:1: gr.render",
+               {"unknown key 'scen'; did you mean 'scene'"});
 }
 
 TEST_F(Render, BadArgumentsAreExplained) {

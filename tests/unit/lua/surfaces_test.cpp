@@ -59,17 +59,18 @@ TEST_F(Surfaces, ChildrenAddToWhatTheyInherit) {
 TEST_F(Surfaces, NoiseReadsItsFields) {
   const NoiseTexture& n = noise(
       "{kind = 'wood', seed = 7, octaves = {{scale = 4, weight = 2}, {8, 0.5}, {scale = 16}}, "
-      "ramp = {{0, {1, 0, 0}}, {0.5, 0.25}, {at = 1, colour = {0, 0, 1}}}}");
+      "ramp = {{0, {1, 0, 0}}, {0.5, 0.25}, {at = 1, colour = {0, 0, 1}}, {at = 2, color = 1}}}");
   EXPECT_EQ(n.kind, NoiseKind::wood);
   ASSERT_EQ(n.octaves.size(), 3u);
   EXPECT_EQ(n.octaves[0].frequency, 4);
   EXPECT_EQ(n.octaves[0].weight, 2);
   EXPECT_EQ(n.octaves[1].frequency, 8);
   EXPECT_EQ(n.octaves[2].weight, 1);
-  ASSERT_EQ(n.ramp.size(), 3u);
+  ASSERT_EQ(n.ramp.size(), 4u);
   EXPECT_EQ(n.ramp[1].at, 0.5);
   EXPECT_EQ(n.ramp[1].colour, Rgb(0.25));
   EXPECT_EQ(n.ramp[2].colour, Rgb(0, 0, 1));
+  EXPECT_EQ(n.ramp[3].colour, Rgb(1));
   EXPECT_EQ(n.noise->value({0.3, 0.4, 0.5}), Noise(7).value({0.3, 0.4, 0.5}));
 }
 
@@ -117,7 +118,13 @@ TEST_F(Surfaces, MistakesAreNamed) {
   expect("n:perlin_noise{octaves = {1, 2}}", "octaves[1]");
   expect("n:perlin_noise{octaves = {{scale = 0}}}", "a positive number");
   expect("n:perlin_noise{octaves = {{weight = 1}}}", "scale");
+  expect("n:perlin_noise{octaves = {{scale = 4, wieght = 1}}}",
+         "unknown key 'wieght' in octaves[1]; did you mean 'weight'");
+  expect("n:perlin_noise{octaves = {{4, scale = 3}}}", "octaves[1] has 'scale' twice");
   expect("n:perlin_noise{ramp = {{1, 0}, {0, 1}}}", "rising order");
+  expect("n:perlin_noise{ramp = {{at = 0, colour = 1, x = 3}}}", "unknown key 'x' in ramp[1]");
+  expect("n:perlin_noise{ramp = {{1, 0.5, 7, 8}}}", "unknown key '[3]' in ramp[1]");
+  expect("n:perlin_noise{ramp = {{at = 0, color = 1, colour = 1}}}", "both 'colour' and 'color'");
   expect("n:perlin_noise{ramp = {{0, 0}}, low = 1}", "not both");
   expect("n:perlin_noise{seed = -1}", "whole number");
   expect("n:perlin_noise{strenght = 1}", "did you mean 'strength'");
