@@ -44,6 +44,8 @@ TEST_F(Command, WrongCommandLinesExitWithTwo) {
       {"", "no scene given"},
       {"scene.lua --sampels 4", "did you mean --samples"},
       {"scene.lua other.lua", "one file too many"},
+      {"scene.lua -", "'-' is one file too many"},
+      {"scene.lua ---", "'---' is one file too many"},
       {"scene.lua --samples many", "expected a whole number"},
       {"scene.lua --samples 0", "expected a whole number"},
       {"scene.lua --samples", "--samples"},
@@ -64,6 +66,36 @@ TEST_F(Command, WrongCommandLinesExitWithTwo) {
     EXPECT_EQ(o.exit_code, 2) << c.arguments << ": " << o.err;
     EXPECT_NE(o.err.find(c.says), std::string::npos) << c.arguments << ": " << o.err;
     EXPECT_FALSE(left_a_file()) << c.arguments;
+  }
+}
+
+TEST_F(Command, EmptyValuesAreRefused) {
+  write("scene.lua", sphere_script());
+  for (const std::string option :
+       {"--samples", "--max-error", "--encoding", "--size", "--crop", "--frame", "--frames",
+        "--output", "--stats", "--report", "--checkpoint-file", "--new", "--disable"}) {
+    const Outcome o = run("scene.lua " + option + " ''");
+    EXPECT_EQ(o.exit_code, 2) << option << o.err;
+    EXPECT_NE(o.err.find(option + ": its value is empty"), std::string::npos) << o.err;
+    EXPECT_FALSE(left_a_file()) << option;
+  }
+}
+
+TEST_F(Command, TheSceneMayFollowOptionsThatMayBeRepeated) {
+  for (const std::string name : {"one", "two"}) {
+    std::filesystem::create_directories(folder_ / name);
+    write(name + "/part.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  }
+  std::filesystem::create_directory(folder_ / "scenes");
+  write("scenes/scene.lua",
+        sphere_script("gr.mesh('a', '../one/part.obj')\ngr.mesh('b', '../two/part.obj')"));
+  for (const char* arguments :
+       {"-q --allow-path one --allow-path two scenes/scene.lua",
+        "-q --allow-path one --disable reflection --allow-path two scenes/scene.lua",
+        "-q --allow-path one --allow-path two --disable reflection,refraction scenes/scene.lua "
+        "--disable acceleration"}) {
+    const Outcome o = run(arguments);
+    EXPECT_EQ(o.exit_code, 0) << arguments << o.err;
   }
 }
 
