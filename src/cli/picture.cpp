@@ -12,6 +12,7 @@
 #include "rt/render/explain.h"
 #include "rt/render/plan.h"
 #include "rt/render/scene_warnings.h"
+#include "rt/render/threads.h"
 
 namespace rt::cli {
 
@@ -34,7 +35,7 @@ void Session::picture(RenderJob job) {
   report.crop = crop_of(job.options);
   if (line_.explain) {
     ++pictures_;
-    fmt::print("{}", explain(make_plan(job), thread_count()));
+    fmt::print("{}", explain(make_plan(job), thread_count(line_.threads)));
     return;
   }
   const auto path = place_of(job.output);
@@ -69,7 +70,7 @@ void Session::picture(RenderJob job) {
   const std::vector<std::string> warnings = scene_warnings(job, plan, result.film);
   report.reached = result.reached;
   if (page_.wanted()) {
-    page_.picture(explain(plan, thread_count()), result);
+    page_.picture(explain(plan, thread_count(line_.threads)), result);
     watch_.lap();  // no phase of the rendering
   }
   const Saved saved = write(report, std::move(result.film), {});

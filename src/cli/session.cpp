@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <thread>
+#include <system_error>
+#include <tuple>
 
 #include "rt/cli/identity.h"
 #include "rt/cli/interrupt.h"
@@ -58,7 +58,8 @@ void Session::run() {
   }
   const Busy busy;
   if (!line_.stats.empty()) {
-    write_stats(line_.stats, line_.scene, thread_count(), io::texture_statistics(), reports_);
+    write_stats(line_.stats, line_.scene, thread_count(line_.threads), io::texture_statistics(),
+                reports_);
   }
   page_.write(line_.scene);
   keeper_.end();
@@ -94,10 +95,6 @@ void Session::run_script(std::optional<int> frame) {
   settings.shipped_textures = shipped_textures();
   settings.frame = frame;
   lua::run_script(line_.scene, line_.arguments, host, settings);
-}
-
-int Session::thread_count() const {
-  return line_.threads > 0 ? line_.threads : static_cast<int>(std::thread::hardware_concurrency());
 }
 
 /// The command line's options on top of the script's.

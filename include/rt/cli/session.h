@@ -40,7 +40,6 @@ class Session {
   void run_scripts();
   void run_script(std::optional<int> frame);
   std::filesystem::path place_of(const std::filesystem::path& by_script) const;
-  int thread_count() const;
   void override_options(RenderOptions& options) const;
   Crop crop_of(const RenderOptions& options) const;
   void picture(RenderJob job);
