@@ -39,7 +39,7 @@ void Session::picture(RenderJob job) {
     return;
   }
   const auto path = place_of(job.output);
-  io::check_output(path);
+  io::check_output(path, report.crop.width, report.crop.height);
   report.picture = path.string();
   report.options = job.options;
   if (interrupted()) {

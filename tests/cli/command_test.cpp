@@ -133,6 +133,35 @@ TEST_F(Command, SettingsOnTheCommandLineOverrideTheScript) {
   }
 }
 
+TEST_F(Command, StatsTakeAnyName) {
+  const Outcome o = run_script(sphere_script(), "-q --stats s.json -o 'b\xe4ll.png'");
+  EXPECT_EQ(o.exit_code, 0) << o.err;
+  const auto stats = nlohmann::json::parse(contents(folder_ / "s.json"));
+  EXPECT_EQ(stats.at("pictures").at(0).at("picture"), "b\xef\xbf\xbdll.png");
+}
+
+TEST_F(Command, SizesThatAFormatCannotHoldAreRefusedBeforeTheRendering) {
+  for (const char* options : {"-o a.jpg --size 65501x1", "-o a.tga --size 1x65536"}) {
+    const Outcome o = run_script(sphere_script(), std::string(options) + " --stats s.json");
+    EXPECT_EQ(o.exit_code, 3) << options << o.err;
+    EXPECT_NE(o.err.find("holds at most"), std::string::npos) << o.err;
+    EXPECT_EQ(o.err.find("samples a pixel"), std::string::npos) << o.err;
+    EXPECT_FALSE(left_a_file()) << options;
+  }
+  const Outcome o = run_script(sphere_script(), "-q -o a.jpg --size 65501x1 --crop 65490,0,11,1");
+  EXPECT_EQ(o.exit_code, 0) << "a crop is as large as itself: " << o.err;
+}
+
+TEST_F(Command, ThreadsAreThoseOfTheProcessorsItMayUse) {
+  write("scene.lua", sphere_script());
+  const std::string one = "taskset -c \"$(taskset -cp $$ | sed 's/.*[ :]//; s/[-,].*//')\"";
+  if (run("--version", one).exit_code != 0) {
+    GTEST_SKIP() << "no taskset";
+  }
+  EXPECT_EQ(run("scene.lua -q --stats s.json", one).exit_code, 0);
+  EXPECT_EQ(nlohmann::json::parse(contents(folder_ / "s.json")).at("threads"), 1);
+}
+
 TEST_F(Command, EqualInputsGiveEqualFiles) {
   for (const char* name : {"a.png", "a.exr", "a.bmp", "a.tga", "a.jpg"}) {
     std::string other = name;
