@@ -115,12 +115,7 @@ void Session::trace(Rendering& rendering, const RenderJob& job, const PictureRep
 
 /// Saves what there is, and ends the session.
 void Session::leave_off(Rendering& rendering, const RenderJob& job, const PictureReport& report) {
-  std::string checkpoint;
-  try {
-    checkpoint = note_of(keeper_.save(&rendering, &job));
-  } catch (const FileError& error) {
-    checkpoint = fmt::format("there is no checkpoint: {}", error.what());
-  }
+  const std::string checkpoint = keep(&rendering, &job);
   const double percent = 100.0 * rendering.fraction();
   RenderResult result = rendering.take();
   std::string picture = "nothing of it had been rendered";
@@ -138,10 +133,16 @@ void Session::leave_off(Rendering& rendering, const RenderJob& job, const Pictur
   throw UserError(ExitCode::interrupted, "interrupted");
 }
 
-std::string Session::note_of(const Saved& checkpoint) const {
-  return fmt::format("the checkpoint is in {}{}; to go on: {}", checkpoint.path.string(),
-                     checkpoint.refusal.empty() ? "" : fmt::format(" ({})", checkpoint.refusal),
-                     keeper_.command(checkpoint.path));
+/// Writes a last checkpoint and says where it is, or why there is none.
+std::string Session::keep(const Rendering* rendering, const RenderJob* job) {
+  try {
+    const Saved saved = keeper_.save(rendering, job);
+    return fmt::format("the checkpoint is in {}{}; to go on: {}", saved.path.string(),
+                       saved.refusal.empty() ? "" : fmt::format(" ({})", saved.refusal),
+                       keeper_.command(saved.path));
+  } catch (const FileError& error) {
+    return fmt::format("there is no checkpoint: {}", error.what());
+  }
 }
 
 /// Writes the picture, elsewhere if it must be. `more` is added to its metadata.

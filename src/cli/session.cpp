@@ -43,9 +43,8 @@ void Session::run() {
     }
     const Busy busy;
     if (saved_.empty()) {  // the script was running
-      saved_ = keeper_.has_finished()
-                   ? "between pictures; " + note_of(keeper_.save(nullptr, nullptr))
-                   : "nothing had been rendered";
+      saved_ = keeper_.has_finished() ? "between pictures; " + keep(nullptr, nullptr)
+                                      : "nothing had been rendered";
     }
     throw UserError(ExitCode::interrupted, saved_);
   }

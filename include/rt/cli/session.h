@@ -48,7 +48,7 @@ class Session {
                               const PictureReport& report);
   Saved write(const PictureReport& report, Film film,
               const std::map<std::string, std::string>& more) const;
-  std::string note_of(const Saved& checkpoint) const;
+  std::string keep(const Rendering* rendering, const RenderJob* job);
   std::map<std::string, std::string> metadata(const RenderOptions& options) const;
   void tell(const PictureReport& report) const;
 
