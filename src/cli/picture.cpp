@@ -89,7 +89,7 @@ void Session::picture(RenderJob job) {
 /// Traces to the end; now and then a checkpoint is written, if that is asked for.
 void Session::trace(Rendering& rendering, const RenderJob& job, const PictureReport& report) {
   using Clock = Deadline::Clock;
-  ProgressReport progress(line_.progress, line_.quiet, report.picture);
+  ProgressReport progress(line_.progress, line_.quiet, report.picture, rendering.seconds());
   const ProgressFunction tell_progress = [&](const Progress& p) { progress(p); };
   Until until{.stop = &interrupted()};
   for (bool done = false, warned = false; !done;) {
