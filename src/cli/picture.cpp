@@ -22,7 +22,8 @@ std::filesystem::path Session::place_of(const std::filesystem::path& by_script) 
   if (!frame_) {
     return output_path(by_script, by_user, of_frame_, line_.script.trust);
   }
-  const bool named = by_user.has_filename() && !std::filesystem::is_directory(by_user);
+  std::error_code ignored;
+  const bool named = by_user.has_filename() && !std::filesystem::is_directory(by_user, ignored);
   return output_path(frame_path(by_script, *frame_), named ? frame_path(by_user, *frame_) : by_user,
                      of_frame_, line_.script.trust);
 }

@@ -7,13 +7,11 @@
 
 #include "rt/cli/identity.h"
 #include "rt/cli/interrupt.h"
-#include "rt/cli/output_path.h"
 #include "rt/cli/say.h"
-#include "rt/io/image.h"
 #include "rt/io/obj.h"
 #include "rt/io/texture.h"
+#include "rt/io/whole_file.h"
 #include "rt/lua/script.h"
-#include "rt/render/plan.h"
 #include "rt/render/threads.h"
 
 namespace rt::cli {
@@ -35,6 +33,9 @@ std::filesystem::path shipped_textures() {
 }  // namespace
 
 void Session::run() {
+  if (!line_.stats.empty()) {
+    io::check_place(line_.stats);
+  }
   try {
     run_scripts();
   } catch (const UserError& error) {

@@ -1,7 +1,6 @@
 #include "rt/io/image.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -126,19 +125,7 @@ void preload() { begin_loading_oiio(); }
 
 void check_output(const std::filesystem::path& path, int width, int height) {
   check_size(path, output_format(path), width, height);
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) {
-    throw FileError(fmt::format("cannot write {}: it is a folder; name a file", path.string()));
-  }
-  const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-  if (!std::filesystem::is_directory(folder, error)) {
-    throw FileError(fmt::format("cannot write {}: there is no folder {}; create it first",
-                                path.string(), folder.string()));
-  }
-  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
-    throw FileError(fmt::format("cannot write {}: {}; choose a folder that you may write to",
-                                path.string(), std::generic_category().message(errno)));
-  }
+  check_place(path);
 }
 
 void write_image(const std::filesystem::path& path, const Image& image, Encoding encoding,

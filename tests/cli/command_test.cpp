@@ -1,4 +1,6 @@
 // The command line: options, outputs, exit codes.
+#include <sys/stat.h>
+
 #include <nlohmann/json.hpp>
 
 #include "program.h"
@@ -174,17 +176,42 @@ TEST_F(Command, EqualInputsGiveEqualFiles) {
 }
 
 TEST_F(Command, PlacesThatCannotBeWrittenExitWithThree) {
-  for (const char* where : {"-o missing/ball.png", "-o ball.gif", "-o ball"}) {
+  std::filesystem::create_directory(folder_ / "folder");
+  ASSERT_EQ(::mkfifo((folder_ / "folder/pipe.png").c_str(), 0600), 0);
+  for (const std::string where :
+       {"-o missing/ball.png", "-o ball.gif", "-o ball", "-o folder/pipe.png",
+        "--stats missing/s.json", "--stats folder", "--stats folder/pipe.png",
+        "--report missing/r.html", "--report folder", "--report folder/pipe.png"}) {
     const Outcome o = run_script(sphere_script(), where);
     EXPECT_EQ(o.exit_code, 3) << where << o.err;
-    EXPECT_FALSE(left_a_file()) << where;
+    EXPECT_NE(o.err.find("cannot write"), std::string::npos) << o.err;
+    EXPECT_FALSE(exists("ball.png")) << where;
   }
+  EXPECT_TRUE(std::filesystem::is_fifo(folder_ / "folder/pipe.png"));
   // Whoever may write to any folder learns only in the end that this takes no files: the picture is
   // then kept elsewhere.
   EXPECT_EQ(run_script(sphere_script(), "-o /proc/ball.png").exit_code, 3);
   EXPECT_EQ(run("nowhere.lua").exit_code, 3);
-  EXPECT_EQ(run_script(sphere_script(), "-q --stats missing/s.json").exit_code, 3);
-  EXPECT_TRUE(exists("ball.png")) << "the picture itself is not lost";
+}
+
+TEST_F(Command, NamesThatAreTooLongAreRefusedBeforeTheRendering) {
+  const std::string name = std::string(300, 'n') + ".png";
+  std::string named = sphere_script();
+  named.replace(named.find("ball.png"), 8, name);
+  const struct {
+    std::string script, options;
+  } cases[] = {{sphere_script(), "-o " + name},
+               {sphere_script(), "--frame 1 -o " + name},
+               {sphere_script(), "--stats " + name},
+               {named, ""},
+               {named, "--trust"}};
+  for (const auto& c : cases) {
+    const Outcome o = run_script(c.script, c.options);
+    EXPECT_EQ(o.exit_code, 3) << c.options << o.err;
+    EXPECT_NE(o.err.find("File name too long"), std::string::npos) << o.err;
+    EXPECT_EQ(o.err.find("internal error"), std::string::npos) << o.err;
+    EXPECT_FALSE(left_a_file()) << c.options;
+  }
 }
 
 TEST_F(Command, ScriptsMayNotWriteOutsideTheWorkingFolder) {
