@@ -28,7 +28,7 @@ struct Format {
 
 using namespace std::string_view_literals;
 
-constexpr int any_side = 1 << 20;  // libpng's own limit; the others do not come near it
+constexpr int any_side = 1 << 20;  // beyond any picture here; PNG's 1000000 is libpng's limit
 constexpr std::array formats{
     Format{".png", "png", "\x89PNG\r\n\x1a\n"sv, 1000000},
     Format{".bmp", "bmp", "BM"sv, any_side},

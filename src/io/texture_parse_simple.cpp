@@ -1,6 +1,4 @@
 /// PNG, JPEG, BMP, TGA, HDR: headers with everything in a fixed place, or nearly.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <string_view>

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
 
 #include "reason.h"
+#include "rt/io/encoding.h"
 
 namespace rt::io {
 namespace {
@@ -96,12 +96,11 @@ class QuietLibraries {
   std::FILE* nowhere_;
 };
 
-/// The inverse of the sRGB encoding, IEC 61966-2-1, at k / top for k = 0 ... top.
+/// srgb_eotf() at k / top for k = 0 ... top.
 std::vector<float> linearising_table(std::size_t top) {
   std::vector<float> table(top + 1);
   for (std::size_t k = 0; k <= top; ++k) {
-    const double x = static_cast<double>(k) / static_cast<double>(top);
-    table[k] = static_cast<float>(x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4));
+    table[k] = static_cast<float>(srgb_eotf(static_cast<double>(k) / static_cast<double>(top)));
   }
   return table;
 }
