@@ -1,5 +1,6 @@
 #include "rt/cli/app.h"
 
+#include <exception>
 #include <new>
 
 #include "rt/cli/interrupt.h"
@@ -28,6 +29,9 @@ int main_program(int argc, const char* const* argv) {
   } catch (const std::bad_alloc&) {
     say("error: out of memory; make the scene or the picture smaller");
     return static_cast<int>(ExitCode::limit);
+  } catch (const std::exception& error) {  // a defect of this program
+    say(std::string("error: internal error: ") + error.what());
+    return static_cast<int>(ExitCode::scene);
   }
 }
 

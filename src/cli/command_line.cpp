@@ -88,7 +88,7 @@ void declare_script(CLI::App& app, lua::Settings& script, Raw& raw) {
   app.add_option("--allow-path", script.allowed, "a further folder the script may read from")
       ->type_name("FOLDER")
       ->check(CLI::ExistingDirectory)
-      ->expected(1);
+      ->allow_extra_args(false);  // one each time it is given: the scene may follow
   app.add_flag("--trust", script.trust,
                "let the script do anything: all libraries, files anywhere, no limits");
   app.add_flag("--lenient", script.lenient, "skip calls of what does not exist, with a warning");
@@ -109,6 +109,18 @@ void declare_textures(CLI::App& app, io::TextureLimits& textures) {
                  "widest and highest picture that a texture may be (default 16384)")
       ->type_name("PIXELS")
       ->check(CLI::Range(1, 1 << 20));
+}
+
+/// An empty value would pass for an option that was not given.
+void refuse_empty_values(CLI::App& app) {
+  const auto not_empty = [](const std::string& value) {
+    return std::string(value.empty() ? "its value is empty" : "");
+  };
+  for (CLI::Option* option : app.get_options()) {
+    if (!option->get_positional() && option->get_expected_min() > 0) {
+      option->check(not_empty);
+    }
+  }
 }
 
 void declare(CLI::App& app, CommandLine& line, Raw& raw) {
@@ -138,6 +150,7 @@ void declare(CLI::App& app, CommandLine& line, Raw& raw) {
   app.add_option("--disable", raw.disabled,
                  fmt::format("switch features off: {}", fmt::join(feature_names(), ",")))
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->type_name("LIST");
   app.add_option("--stats", line.stats, "write times, rays and memory as JSON")
       ->type_name("FILE.json");
@@ -154,6 +167,7 @@ void declare(CLI::App& app, CommandLine& line, Raw& raw) {
       ->check(CLI::Range(0.01, 1e9));
   app.add_option("--checkpoint-file", line.checkpoint_file,
                  "where checkpoints are (default: the first picture's name, then .checkpoint)")
+      ->take_last()  // the command that goes on from a rescued one names that after the first
       ->type_name("FILE");
   app.add_option("--progress", raw.progress, "auto|plain|json|none, on standard error")
       ->check(CLI::IsMember({"auto", "plain", "json", "none"}))
@@ -164,6 +178,7 @@ void declare(CLI::App& app, CommandLine& line, Raw& raw) {
       ->type_name("SCENE.lua");
   declare_script(app, line.script, raw);
   declare_textures(app, line.textures);
+  refuse_empty_values(app);
 }
 
 [[noreturn]] void refuse(const CLI::App& app, const CLI::ParseError& error) {
@@ -172,7 +187,7 @@ void declare(CLI::App& app, CommandLine& line, Raw& raw) {
   }
   const std::vector<std::string> extras = app.remaining();
   const std::string given = extras.empty() ? "" : extras.front();
-  if (!given.starts_with('-')) {
+  if (given.find_first_not_of('-') == given.npos || !given.starts_with('-')) {
     throw UsageError(fmt::format(
         "'{}' is one file too many: one scene at a time (arguments for the script come after --)",
         given));

@@ -8,7 +8,6 @@
 #include "html_page.h"
 #include "rt/io/image.h"
 #include "rt/io/whole_file.h"
-#include "rt/scene/error.h"
 
 namespace rt::cli {
 namespace {
@@ -106,17 +105,8 @@ std::string base64(std::span<const unsigned char> bytes) {
 }
 
 HtmlReport::HtmlReport(std::filesystem::path file) : file_(std::move(file)) {
-  if (!wanted()) {
-    return;
-  }
-  const auto folder = file_.has_parent_path() ? file_.parent_path() : std::filesystem::path(".");
-  std::error_code error;
-  if (!std::filesystem::is_directory(folder, error)) {
-    throw FileError(fmt::format("cannot write {}: there is no folder {}; create it first",
-                                file_.string(), folder.string()));
-  }
-  if (std::filesystem::is_directory(file_, error)) {
-    throw FileError(fmt::format("cannot write {}: it is a folder; name a file", file_.string()));
+  if (wanted()) {
+    io::check_place(file_);
   }
 }
 

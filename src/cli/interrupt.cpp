@@ -3,9 +3,6 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include <array>
-#include <cstring>
-
 #include "rt/io/whole_file.h"
 #include "rt/lua/script.h"
 #include "rt/scene/error.h"

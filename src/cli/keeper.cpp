@@ -85,7 +85,7 @@ bool Keeper::begin(const fs::path& picture, const RenderOptions& options, const 
   }
   const Checkpoint::Finished& then = earlier_->finished[index];
   check(options_, then.options);
-  if (digest_of_file(picture) != then.digest) {
+  if (then.digest == 0 || digest_of_file(picture) != then.digest) {  // 0: it could not be read
     warn(fmt::format("{} has changed or gone since it was finished, and is rendered again",
                      picture.string()));
     return false;
@@ -112,7 +112,8 @@ void Keeper::take_up(Rendering& rendering, const RenderJob& job) {
 }
 
 void Keeper::finished() {
-  done_.finished.push_back({picture_.string(), options_, 0});
+  // Now, not when a signal comes: what the file is by then need not be what was rendered.
+  done_.finished.push_back({picture_.string(), options_, digest_of_file(picture_)});
   if (!own_.empty() || line_.checkpoint_every > 0.0) {
     try {
       save(nullptr, nullptr);
@@ -125,9 +126,6 @@ void Keeper::finished() {
 Saved Keeper::save(const Rendering* rendering, const RenderJob* job) {
   if (earlier_ && earlier_->current) {
     return {file_, {}};  // a later picture's state has not been taken up yet: it stays there
-  }
-  for (Checkpoint::Finished& f : done_.finished) {
-    f.digest = f.digest != 0 ? f.digest : digest_of_file(f.picture);
   }
   Checkpoint checkpoint{facts_of_run_now(), done_.finished, {}, {}};
   if (rendering != nullptr) {

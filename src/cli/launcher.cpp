@@ -2,11 +2,13 @@
 // x86-64.
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <climits>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <string>
 
 namespace {
@@ -55,6 +57,10 @@ int main(int, char** argv) {
   if (wanted != nullptr) {
     return fail(std::string("RT_CPU is '") + wanted + "'; expected v2, v3 or v4");
   }
-  return fail("this processor is too old: x86-64-v2 (SSE4.2) is needed, and " + own_path() +
-              "-v2, -v3 or -v4 beside this program");
+  const bool too_old = std::none_of(std::begin(levels), std::end(levels),
+                                    [](const Level& level) { return level.supported; });
+  if (too_old) {
+    return fail("this processor is too old: x86-64-v2 (SSE4.2) is needed");
+  }
+  return fail("none of " + own_path() + "-v2, -v3 and -v4 that this processor can run is there");
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <system_error>
 
 #include "rt/scene/error.h"
 
@@ -16,8 +17,13 @@ bool is_inside(const fs::path& file, const fs::path& folder) {
 }
 
 fs::path confined(const fs::path& by_script) {
-  const fs::path here = fs::weakly_canonical(fs::current_path());
-  const fs::path file = fs::weakly_canonical(here / by_script);
+  std::error_code error;
+  const fs::path here = fs::weakly_canonical(fs::current_path(error), error);
+  const fs::path file = error ? fs::path() : fs::weakly_canonical(here / by_script, error);
+  if (error) {
+    throw FileError(fmt::format("cannot write {}: {}; choose another name, or give one with -o",
+                                by_script.string(), error.message()));
+  }
   if (!is_inside(file, here)) {
     throw SceneError(fmt::format(
         "gr.render: the picture '{}' would lie outside the working folder; choose a name below it, "
@@ -34,7 +40,8 @@ fs::path output_path(const fs::path& by_script, const fs::path& by_user, std::si
   if (by_user.empty()) {
     return trusted ? by_script : confined(by_script);
   }
-  if (!by_user.has_filename() || fs::is_directory(by_user)) {
+  std::error_code ignored;  // of a place that cannot be: check_output() says so
+  if (!by_user.has_filename() || fs::is_directory(by_user, ignored)) {
     return by_user / by_script.filename();
   }
   if (index == 0) {

@@ -12,6 +12,7 @@
 #include "rt/render/explain.h"
 #include "rt/render/plan.h"
 #include "rt/render/scene_warnings.h"
+#include "rt/render/threads.h"
 
 namespace rt::cli {
 
@@ -21,7 +22,8 @@ std::filesystem::path Session::place_of(const std::filesystem::path& by_script) 
   if (!frame_) {
     return output_path(by_script, by_user, of_frame_, line_.script.trust);
   }
-  const bool named = by_user.has_filename() && !std::filesystem::is_directory(by_user);
+  std::error_code ignored;
+  const bool named = by_user.has_filename() && !std::filesystem::is_directory(by_user, ignored);
   return output_path(frame_path(by_script, *frame_), named ? frame_path(by_user, *frame_) : by_user,
                      of_frame_, line_.script.trust);
 }
@@ -34,11 +36,11 @@ void Session::picture(RenderJob job) {
   report.crop = crop_of(job.options);
   if (line_.explain) {
     ++pictures_;
-    fmt::print("{}", explain(make_plan(job), thread_count()));
+    fmt::print("{}", explain(make_plan(job), thread_count(line_.threads)));
     return;
   }
   const auto path = place_of(job.output);
-  io::check_output(path);
+  io::check_output(path, report.crop.width, report.crop.height);
   report.picture = path.string();
   report.options = job.options;
   if (interrupted()) {
@@ -69,7 +71,7 @@ void Session::picture(RenderJob job) {
   const std::vector<std::string> warnings = scene_warnings(job, plan, result.film);
   report.reached = result.reached;
   if (page_.wanted()) {
-    page_.picture(explain(plan, thread_count()), result);
+    page_.picture(explain(plan, thread_count(line_.threads)), result);
     watch_.lap();  // no phase of the rendering
   }
   const Saved saved = write(report, std::move(result.film), {});
@@ -88,7 +90,7 @@ void Session::picture(RenderJob job) {
 /// Traces to the end; now and then a checkpoint is written, if that is asked for.
 void Session::trace(Rendering& rendering, const RenderJob& job, const PictureReport& report) {
   using Clock = Deadline::Clock;
-  ProgressReport progress(line_.progress, line_.quiet, report.picture);
+  ProgressReport progress(line_.progress, line_.quiet, report.picture, rendering.seconds());
   const ProgressFunction tell_progress = [&](const Progress& p) { progress(p); };
   Until until{.stop = &interrupted()};
   for (bool done = false, warned = false; !done;) {
@@ -114,12 +116,7 @@ void Session::trace(Rendering& rendering, const RenderJob& job, const PictureRep
 
 /// Saves what there is, and ends the session.
 void Session::leave_off(Rendering& rendering, const RenderJob& job, const PictureReport& report) {
-  std::string checkpoint;
-  try {
-    checkpoint = note_of(keeper_.save(&rendering, &job));
-  } catch (const FileError& error) {
-    checkpoint = fmt::format("there is no checkpoint: {}", error.what());
-  }
+  const std::string checkpoint = keep(&rendering, &job);
   const double percent = 100.0 * rendering.fraction();
   RenderResult result = rendering.take();
   std::string picture = "nothing of it had been rendered";
@@ -137,10 +134,16 @@ void Session::leave_off(Rendering& rendering, const RenderJob& job, const Pictur
   throw UserError(ExitCode::interrupted, "interrupted");
 }
 
-std::string Session::note_of(const Saved& checkpoint) const {
-  return fmt::format("the checkpoint is in {}{}; to go on: {}", checkpoint.path.string(),
-                     checkpoint.refusal.empty() ? "" : fmt::format(" ({})", checkpoint.refusal),
-                     keeper_.command(checkpoint.path));
+/// Writes a last checkpoint and says where it is, or why there is none.
+std::string Session::keep(const Rendering* rendering, const RenderJob* job) {
+  try {
+    const Saved saved = keeper_.save(rendering, job);
+    return fmt::format("the checkpoint is in {}{}; to go on: {}", saved.path.string(),
+                       saved.refusal.empty() ? "" : fmt::format(" ({})", saved.refusal),
+                       keeper_.command(saved.path));
+  } catch (const FileError& error) {
+    return fmt::format("there is no checkpoint: {}", error.what());
+  }
 }
 
 /// Writes the picture, elsewhere if it must be. `more` is added to its metadata.

@@ -9,8 +9,12 @@
 
 namespace rt::cli {
 
-ProgressReport::ProgressReport(ProgressStyle style, bool quiet, std::string picture)
-    : form_(Form::none), picture_(std::move(picture)) {
+ProgressReport::ProgressReport(ProgressStyle style, bool quiet, std::string picture,
+                               double seconds_before)
+    : form_(Form::none),
+      picture_(std::move(picture)),
+      start_(Clock::now() - std::chrono::duration_cast<Clock::duration>(
+                                std::chrono::duration<double>(seconds_before))) {
   if (quiet || style == ProgressStyle::none) {
     return;
   }

@@ -7,7 +7,6 @@
 
 #include "rt/io/whole_file.h"
 #include "rt/math/bytes.h"
-#include "rt/scene/error.h"
 
 namespace rt::cli {
 namespace {
@@ -109,7 +108,8 @@ void write_stats(const std::filesystem::path& file, const std::filesystem::path&
                         {"cache_peak_bytes", textures.cache_peak},
                         {"load_seconds", textures.load_seconds}};
   }
-  const std::string text = json.dump(2) + '\n';
+  // File names may be in any encoding: what is not UTF-8 becomes U+FFFD.
+  const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
   io::write_whole_file(file,
                        Bytes(reinterpret_cast<const unsigned char*>(text.data()), text.size()));
 }

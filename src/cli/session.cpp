@@ -2,18 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <thread>
+#include <system_error>
+#include <tuple>
 
 #include "rt/cli/identity.h"
 #include "rt/cli/interrupt.h"
-#include "rt/cli/output_path.h"
 #include "rt/cli/say.h"
-#include "rt/io/image.h"
 #include "rt/io/obj.h"
 #include "rt/io/texture.h"
+#include "rt/io/whole_file.h"
 #include "rt/lua/script.h"
-#include "rt/render/plan.h"
 #include "rt/render/threads.h"
 
 namespace rt::cli {
@@ -35,6 +33,9 @@ std::filesystem::path shipped_textures() {
 }  // namespace
 
 void Session::run() {
+  if (!line_.stats.empty()) {
+    io::check_place(line_.stats);
+  }
   try {
     run_scripts();
   } catch (const UserError& error) {
@@ -43,9 +44,8 @@ void Session::run() {
     }
     const Busy busy;
     if (saved_.empty()) {  // the script was running
-      saved_ = keeper_.has_finished()
-                   ? "between pictures; " + note_of(keeper_.save(nullptr, nullptr))
-                   : "nothing had been rendered";
+      saved_ = keeper_.has_finished() ? "between pictures; " + keep(nullptr, nullptr)
+                                      : "nothing had been rendered";
     }
     throw UserError(ExitCode::interrupted, saved_);
   }
@@ -58,7 +58,8 @@ void Session::run() {
   }
   const Busy busy;
   if (!line_.stats.empty()) {
-    write_stats(line_.stats, line_.scene, thread_count(), io::texture_statistics(), reports_);
+    write_stats(line_.stats, line_.scene, thread_count(line_.threads), io::texture_statistics(),
+                reports_);
   }
   page_.write(line_.scene);
   keeper_.end();
@@ -94,10 +95,6 @@ void Session::run_script(std::optional<int> frame) {
   settings.shipped_textures = shipped_textures();
   settings.frame = frame;
   lua::run_script(line_.scene, line_.arguments, host, settings);
-}
-
-int Session::thread_count() const {
-  return line_.threads > 0 ? line_.threads : static_cast<int>(std::thread::hardware_concurrency());
 }
 
 /// The command line's options on top of the script's.

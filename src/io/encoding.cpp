@@ -1,14 +1,11 @@
 #include "rt/io/encoding.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace rt::io {
 namespace {
-
-double srgb_eotf(double encoded) {
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
 
 /// Rounding to the nearest code is a search for the last threshold that is not above the value; a
 /// table says where to begin, and no power is computed per pixel.

@@ -1,7 +1,6 @@
 #include "rt/io/image.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -29,7 +28,7 @@ struct Format {
 
 using namespace std::string_view_literals;
 
-constexpr int any_side = 1 << 20;  // libpng's own limit; the others do not come near it
+constexpr int any_side = 1 << 20;  // beyond any picture here; PNG's 1000000 is libpng's limit
 constexpr std::array formats{
     Format{".png", "png", "\x89PNG\r\n\x1a\n"sv, 1000000},
     Format{".bmp", "bmp", "BM"sv, any_side},
@@ -127,19 +126,7 @@ void end_preload() { end_loading_oiio(); }
 
 void check_output(const std::filesystem::path& path, int width, int height) {
   check_size(path, output_format(path), width, height);
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) {
-    throw FileError(fmt::format("cannot write {}: it is a folder; name a file", path.string()));
-  }
-  const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-  if (!std::filesystem::is_directory(folder, error)) {
-    throw FileError(fmt::format("cannot write {}: there is no folder {}; create it first",
-                                path.string(), folder.string()));
-  }
-  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
-    throw FileError(fmt::format("cannot write {}: {}; choose a folder that you may write to",
-                                path.string(), std::generic_category().message(errno)));
-  }
+  check_place(path);
 }
 
 void write_image(const std::filesystem::path& path, const Image& image, Encoding encoding,

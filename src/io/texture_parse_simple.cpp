@@ -1,6 +1,4 @@
 /// PNG, JPEG, BMP, TGA, HDR: headers with everything in a fixed place, or nearly.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <string_view>
@@ -64,23 +62,28 @@ namespace {
 /// Whether the file has an end of image after `offset`, where a segment or a scan's data begins.
 /// libjpeg fills what is missing with grey and only warns, which OpenImageIO does not pass on.
 bool has_jpeg_end(const PictureFile& file, std::uint64_t offset) {
+  constexpr std::size_t rest_of_segment = 3;  // what it is, and its length
   std::array<unsigned char, 1 << 14> chunk{};
   while (const std::size_t count = file.read(offset, chunk.data(), chunk.size())) {
-    const unsigned char* const begin = chunk.data();
-    const unsigned char* const end = begin + count;
-    const unsigned char* const mark = std::find(begin, end, 0xff);
-    offset += static_cast<std::uint64_t>(mark - begin);
-    if (mark == end) {
-      continue;
+    // A marker too near the chunk's end waits for the next chunk; beyond the file's are zeros.
+    std::fill(chunk.begin() + static_cast<std::ptrdiff_t>(count), chunk.end(), std::uint8_t{0});
+    const bool is_last = count < chunk.size() - rest_of_segment;
+    const std::size_t end = is_last ? count : chunk.size() - rest_of_segment;
+    std::size_t at = 0;
+    while (at < end) {
+      if (chunk[at] != 0xff) {
+        const auto* const mark = std::find(chunk.data() + at, chunk.data() + end, 0xff);
+        at = static_cast<std::size_t>(mark - chunk.data());
+        continue;
+      }
+      const unsigned kind = chunk[at + 1];
+      if (kind == 0xd9) {
+        return true;
+      }
+      const bool stands_alone = kind == 0 || kind == 1 || (kind >= 0xd0 && kind <= 0xd8);
+      at += kind == 0xff ? 1 : stands_alone ? 2 : 2 + (chunk[at + 2] * 256u + chunk[at + 3]);
     }
-    std::array<unsigned char, 4> segment{};  // 0xff, what it is, and its length
-    const std::size_t got = file.read(offset, segment.data(), segment.size());
-    const unsigned kind = segment[1];
-    if (kind == 0xd9 && got >= 2) {
-      return true;
-    }
-    const bool stands_alone = kind == 0 || kind == 1 || (kind >= 0xd0 && kind <= 0xd8);
-    offset += kind == 0xff ? 1 : stands_alone ? 2 : 2 + (segment[2] * 256u + segment[3]);
+    offset += at;
   }
   return false;
 }

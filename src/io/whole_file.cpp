@@ -27,26 +27,41 @@ const char* what_to_try(int error) {
   switch (error) {
     case ENOSPC:
     case EDQUOT:
-      return "free some space, or write elsewhere with --output";
+      return "free some space, or write elsewhere";
     case EFBIG:
       return "raise the limit on file sizes (ulimit -f)";
     case ENOENT:
     case ENOTDIR:
-      return "create the folder first, or write elsewhere with --output";
+      return "create the folder first, or write elsewhere";
     case EACCES:
     case EPERM:
     case EROFS:
-      return "choose a folder that you may write to with --output";
+      return "choose a folder that you may write to";
     case ENAMETOOLONG:
-      return "choose a shorter name with --output";
+      return "choose a shorter name";
     default:
-      return "choose another file with --output";
+      return "choose another file";
   }
 }
 
 [[noreturn]] void fail(const std::filesystem::path& path, int error) {
   throw FileError(fmt::format("cannot write {}: {}; {}", path.string(),
                               std::generic_category().message(error), what_to_try(error)));
+}
+
+/// Folders, devices and pipes cannot or must not be replaced by a file.
+void refuse_what_is_no_file(const std::filesystem::path& path) {
+  struct stat found {};
+  if (::stat(path.c_str(), &found) != 0) {
+    if (errno == ENAMETOOLONG) {
+      fail(path, errno);
+    }
+    return;  // nothing there, or the folder is wrong
+  }
+  if (!S_ISREG(found.st_mode)) {
+    throw FileError(fmt::format("cannot write {}: it is a {}; name a file", path.string(),
+                                S_ISDIR(found.st_mode) ? "folder" : "device or a pipe"));
+  }
 }
 
 /// The name of the temporary, for abandon_temporary(): set before the file is made, cleared once it
@@ -163,7 +178,21 @@ class Temporary {
 
 }  // namespace
 
+void check_place(const std::filesystem::path& path) {
+  refuse_what_is_no_file(path);
+  const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder, error)) {
+    throw FileError(fmt::format("cannot write {}: there is no folder {}; create it first",
+                                path.string(), folder.string()));
+  }
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+    fail(path, errno);
+  }
+}
+
 void write_whole_file(const std::filesystem::path& path, std::span<const unsigned char> bytes) {
+  refuse_what_is_no_file(path);
   clean_first(path.parent_path());
   Temporary temporary(path);
   temporary.write(bytes);

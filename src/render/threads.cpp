@@ -6,8 +6,10 @@
 
 namespace rt {
 
+int thread_count(int threads) { return threads > 0 ? threads : tbb::info::default_concurrency(); }
+
 void with_threads(int threads, const std::function<void()>& work) {
-  const int count = threads > 0 ? threads : tbb::info::default_concurrency();
+  const int count = thread_count(threads);
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(count));
   tbb::task_arena arena(count);

@@ -1,4 +1,6 @@
 // The command line: options, outputs, exit codes.
+#include <sys/stat.h>
+
 #include <nlohmann/json.hpp>
 
 #include "program.h"
@@ -44,6 +46,8 @@ TEST_F(Command, WrongCommandLinesExitWithTwo) {
       {"", "no scene given"},
       {"scene.lua --sampels 4", "did you mean --samples"},
       {"scene.lua other.lua", "one file too many"},
+      {"scene.lua -", "'-' is one file too many"},
+      {"scene.lua ---", "'---' is one file too many"},
       {"scene.lua --samples many", "expected a whole number"},
       {"scene.lua --samples 0", "expected a whole number"},
       {"scene.lua --samples", "--samples"},
@@ -64,6 +68,36 @@ TEST_F(Command, WrongCommandLinesExitWithTwo) {
     EXPECT_EQ(o.exit_code, 2) << c.arguments << ": " << o.err;
     EXPECT_NE(o.err.find(c.says), std::string::npos) << c.arguments << ": " << o.err;
     EXPECT_FALSE(left_a_file()) << c.arguments;
+  }
+}
+
+TEST_F(Command, EmptyValuesAreRefused) {
+  write("scene.lua", sphere_script());
+  for (const std::string option :
+       {"--samples", "--max-error", "--encoding", "--size", "--crop", "--frame", "--frames",
+        "--output", "--stats", "--report", "--checkpoint-file", "--new", "--disable"}) {
+    const Outcome o = run("scene.lua " + option + " ''");
+    EXPECT_EQ(o.exit_code, 2) << option << o.err;
+    EXPECT_NE(o.err.find(option + ": its value is empty"), std::string::npos) << o.err;
+    EXPECT_FALSE(left_a_file()) << option;
+  }
+}
+
+TEST_F(Command, TheSceneMayFollowOptionsThatMayBeRepeated) {
+  for (const std::string name : {"one", "two"}) {
+    std::filesystem::create_directories(folder_ / name);
+    write(name + "/part.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  }
+  std::filesystem::create_directory(folder_ / "scenes");
+  write("scenes/scene.lua",
+        sphere_script("gr.mesh('a', '../one/part.obj')\ngr.mesh('b', '../two/part.obj')"));
+  for (const char* arguments :
+       {"-q --allow-path one --allow-path two scenes/scene.lua",
+        "-q --allow-path one --disable reflection --allow-path two scenes/scene.lua",
+        "-q --allow-path one --allow-path two --disable reflection,refraction scenes/scene.lua "
+        "--disable acceleration"}) {
+    const Outcome o = run(arguments);
+    EXPECT_EQ(o.exit_code, 0) << arguments << o.err;
   }
 }
 
@@ -101,6 +135,35 @@ TEST_F(Command, SettingsOnTheCommandLineOverrideTheScript) {
   }
 }
 
+TEST_F(Command, StatsTakeAnyName) {
+  const Outcome o = run_script(sphere_script(), "-q --stats s.json -o 'b\xe4ll.png'");
+  EXPECT_EQ(o.exit_code, 0) << o.err;
+  const auto stats = nlohmann::json::parse(contents(folder_ / "s.json"));
+  EXPECT_EQ(stats.at("pictures").at(0).at("picture"), "b\xef\xbf\xbdll.png");
+}
+
+TEST_F(Command, SizesThatAFormatCannotHoldAreRefusedBeforeTheRendering) {
+  for (const char* options : {"-o a.jpg --size 65501x1", "-o a.tga --size 1x65536"}) {
+    const Outcome o = run_script(sphere_script(), std::string(options) + " --stats s.json");
+    EXPECT_EQ(o.exit_code, 3) << options << o.err;
+    EXPECT_NE(o.err.find("holds at most"), std::string::npos) << o.err;
+    EXPECT_EQ(o.err.find("samples a pixel"), std::string::npos) << o.err;
+    EXPECT_FALSE(left_a_file()) << options;
+  }
+  const Outcome o = run_script(sphere_script(), "-q -o a.jpg --size 65501x1 --crop 65490,0,11,1");
+  EXPECT_EQ(o.exit_code, 0) << "a crop is as large as itself: " << o.err;
+}
+
+TEST_F(Command, ThreadsAreThoseOfTheProcessorsItMayUse) {
+  write("scene.lua", sphere_script());
+  const std::string one = "taskset -c \"$(taskset -cp $$ | sed 's/.*[ :]//; s/[-,].*//')\"";
+  if (run("--version", one).exit_code != 0) {
+    GTEST_SKIP() << "no taskset";
+  }
+  EXPECT_EQ(run("scene.lua -q --stats s.json", one).exit_code, 0);
+  EXPECT_EQ(nlohmann::json::parse(contents(folder_ / "s.json")).at("threads"), 1);
+}
+
 TEST_F(Command, EqualInputsGiveEqualFiles) {
   for (const char* name : {"a.png", "a.exr", "a.bmp", "a.tga", "a.jpg"}) {
     std::string other = name;
@@ -113,17 +176,42 @@ TEST_F(Command, EqualInputsGiveEqualFiles) {
 }
 
 TEST_F(Command, PlacesThatCannotBeWrittenExitWithThree) {
-  for (const char* where : {"-o missing/ball.png", "-o ball.gif", "-o ball"}) {
+  std::filesystem::create_directory(folder_ / "folder");
+  ASSERT_EQ(::mkfifo((folder_ / "folder/pipe.png").c_str(), 0600), 0);
+  for (const std::string where :
+       {"-o missing/ball.png", "-o ball.gif", "-o ball", "-o folder/pipe.png",
+        "--stats missing/s.json", "--stats folder", "--stats folder/pipe.png",
+        "--report missing/r.html", "--report folder", "--report folder/pipe.png"}) {
     const Outcome o = run_script(sphere_script(), where);
     EXPECT_EQ(o.exit_code, 3) << where << o.err;
-    EXPECT_FALSE(left_a_file()) << where;
+    EXPECT_NE(o.err.find("cannot write"), std::string::npos) << o.err;
+    EXPECT_FALSE(exists("ball.png")) << where;
   }
+  EXPECT_TRUE(std::filesystem::is_fifo(folder_ / "folder/pipe.png"));
   // Whoever may write to any folder learns only in the end that this takes no files: the picture is
   // then kept elsewhere.
   EXPECT_EQ(run_script(sphere_script(), "-o /proc/ball.png").exit_code, 3);
   EXPECT_EQ(run("nowhere.lua").exit_code, 3);
-  EXPECT_EQ(run_script(sphere_script(), "-q --stats missing/s.json").exit_code, 3);
-  EXPECT_TRUE(exists("ball.png")) << "the picture itself is not lost";
+}
+
+TEST_F(Command, NamesThatAreTooLongAreRefusedBeforeTheRendering) {
+  const std::string name = std::string(300, 'n') + ".png";
+  std::string named = sphere_script();
+  named.replace(named.find("ball.png"), 8, name);
+  const struct {
+    std::string script, options;
+  } cases[] = {{sphere_script(), "-o " + name},
+               {sphere_script(), "--frame 1 -o " + name},
+               {sphere_script(), "--stats " + name},
+               {named, ""},
+               {named, "--trust"}};
+  for (const auto& c : cases) {
+    const Outcome o = run_script(c.script, c.options);
+    EXPECT_EQ(o.exit_code, 3) << c.options << o.err;
+    EXPECT_NE(o.err.find("File name too long"), std::string::npos) << o.err;
+    EXPECT_EQ(o.err.find("internal error"), std::string::npos) << o.err;
+    EXPECT_FALSE(left_a_file()) << c.options;
+  }
 }
 
 TEST_F(Command, ScriptsMayNotWriteOutsideTheWorkingFolder) {

@@ -60,6 +60,15 @@ TEST_F(Processors, GiveTheSameBytes) {
   EXPECT_GE(levels, built_for("v2") ? 2 : 1);
 }
 
+TEST_F(Processors, WithoutTheirProgramsTheLauncherSaysSo) {
+  std::filesystem::copy_file(RT_PROGRAM, folder_ / "alone");
+  const std::string command = "cd " + folder_.string() + " && ./alone --version 2>stderr.txt";
+  EXPECT_NE(std::system(command.c_str()), 0);
+  const std::string err = contents(folder_ / "stderr.txt");
+  EXPECT_NE(err.find("none of " + (folder_ / "alone-v2").string()), std::string::npos) << err;
+  EXPECT_EQ(err.find("too old"), std::string::npos) << err;
+}
+
 TEST_F(Processors, AreNamedRightOrRefused) {
   const Outcome o = run("--version", "RT_CPU=v9");
   EXPECT_EQ(o.exit_code, 1);

@@ -175,6 +175,42 @@ TEST_F(Resumed, AFinishedPictureThatHasGoneIsRenderedAgain) {
   EXPECT_TRUE(same_file(folder_ / "p2.png", folder_ / "whole.2.png"));
 }
 
+TEST_F(Resumed, AFinishedPictureThatWasMovedDuringTheRunIsRenderedAgain) {
+  write("scene.lua", slow_scene(2));
+  ASSERT_EQ(run("scene.lua -q -o whole.png --samples 200").exit_code, 0);
+  {
+    Running program(folder_, "scene.lua --progress plain --samples 200");
+    ASSERT_TRUE(program.says("p2.png: "));
+    std::filesystem::rename(folder_ / "p1.png", folder_ / "moved.png");
+    program.signal(SIGINT);
+    EXPECT_EQ(program.wait().exit_code, 130);
+  }
+  const Outcome o = run("scene.lua --resume --samples 200");
+  EXPECT_EQ(o.exit_code, 0) << o.err;
+  EXPECT_NE(o.err.find("p1.png has changed or gone"), std::string::npos) << o.err;
+  EXPECT_TRUE(same_file(folder_ / "p1.png", folder_ / "whole.png"));
+  EXPECT_TRUE(same_file(folder_ / "p2.png", folder_ / "whole.2.png"));
+}
+
+TEST_F(Resumed, BetweenPicturesWithoutACheckpointIsStillAnInterruption) {
+  write("scene.lua", sphere_script("", "while true do end"));
+  Running program(folder_, "scene.lua --size 4x4 -o p1.tga",
+                  [] { limit_file_size(1000); });  // the picture is smaller, the checkpoint larger
+  ASSERT_TRUE(program.says("p1.tga: 4x4"));
+  program.signal(SIGINT);
+  const Outcome o = program.wait();
+  EXPECT_EQ(o.exit_code, 130) << o.err;
+  EXPECT_NE(o.err.find("between pictures; there is no checkpoint: cannot write"), std::string::npos)
+      << o.err;
+}
+
+TEST_F(Resumed, TheCheckpointsPlaceMayBeNamedTwice) {
+  const Outcome o =
+      run("scene.lua -q --checkpoint-file a --checkpoint-file b --resume --samples 1");
+  EXPECT_EQ(o.exit_code, 0) << o.err;
+  EXPECT_NE(o.err.find("there is no b;"), std::string::npos) << o.err;
+}
+
 TEST_F(Resumed, AnotherSceneFileOrOptionIsRefused) {
   const std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   write("part.obj", mesh);

@@ -17,7 +17,7 @@ struct Checkpoint {
   struct Finished {
     std::string picture;
     Facts options;
-    std::uint64_t digest = 0;  ///< of the picture's file
+    std::uint64_t digest = 0;  ///< of the picture's file once written; 0: it could not be read
   };
   struct Current {
     std::string picture;

@@ -11,7 +11,8 @@ namespace rt::cli {
 /// elsewhere. Speaks at most ten times a second (plain: every tenth of the picture).
 class ProgressReport {
  public:
-  ProgressReport(ProgressStyle style, bool quiet, std::string picture);
+  /// `seconds_before`: that the picture took in the runs which it goes on from.
+  ProgressReport(ProgressStyle style, bool quiet, std::string picture, double seconds_before = 0.0);
   /// Ends the bar's line, if one was begun.
   ~ProgressReport();
   ProgressReport(const ProgressReport&) = delete;
@@ -25,8 +26,8 @@ class ProgressReport {
 
   enum class Form { none, bar, plain, json } form_;
   std::string picture_;
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point last_ = start_;
+  Clock::time_point start_;  ///< as if earlier runs had ended just now
+  Clock::time_point last_ = Clock::now();
   int tenths_ = 0;
   bool drawn_ = false;
 };

@@ -40,7 +40,6 @@ class Session {
   void run_scripts();
   void run_script(std::optional<int> frame);
   std::filesystem::path place_of(const std::filesystem::path& by_script) const;
-  int thread_count() const;
   void override_options(RenderOptions& options) const;
   Crop crop_of(const RenderOptions& options) const;
   void picture(RenderJob job);
@@ -49,7 +48,7 @@ class Session {
                               const PictureReport& report);
   Saved write(const PictureReport& report, Film film,
               const std::map<std::string, std::string>& more) const;
-  std::string note_of(const Saved& checkpoint) const;
+  std::string keep(const Rendering* rendering, const RenderJob* job);
   std::map<std::string, std::string> metadata(const RenderOptions& options) const;
   void tell(const PictureReport& report) const;
 

@@ -1,5 +1,6 @@
 #pragma once
-/// From linear light to the 8-bit numbers of a file.
+/// From linear light to the 8-bit numbers of a file, and back.
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -7,6 +8,12 @@
 #include "rt/math/srgb.h"
 
 namespace rt::io {
+
+/// The electro-optical transfer function of IEC 61966-2-1 (sRGB), the inverse of srgb_oetf(). Here
+/// and inline because OpenImageIO's module, which links no layer, wants it too.
+inline double srgb_eotf(double encoded) {
+  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
 
 /// 255 times the value, or its sRGB encoding, rounded to the nearest and clamped to 0..255.
 /// NaN becomes 0, so that one bad pixel does not cost the picture.

@@ -25,10 +25,10 @@ void preload();
 void end_preload();
 
 /// Throws FileError when no picture can be written under that name: an extension that is none of
-/// .png .bmp .exr .tga .jpg .jpeg (any case), a size that the format cannot hold, or a folder that
-/// does not exist or cannot be written to. Does not need OpenImageIO, so that a mistake shows
-/// before the rendering, not after.
-void check_output(const std::filesystem::path& path, int width = 0, int height = 0);
+/// .png .bmp .exr .tga .jpg .jpeg (any case), a size that the format cannot hold, or a place where
+/// no file can be (check_place). Does not need OpenImageIO, so that a mistake shows before the
+/// rendering, not after.
+void check_output(const std::filesystem::path& path, int width, int height);
 
 /// Writes a picture: under a temporary name in the same folder, renamed once complete; on failure
 /// the temporary is removed and FileError thrown. PNG, BMP, TGA and JPEG are 8-bit, encoded as

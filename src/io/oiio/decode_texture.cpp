@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
 
 #include "reason.h"
+#include "rt/io/encoding.h"
 
 namespace rt::io {
 namespace {
@@ -96,12 +96,11 @@ class QuietLibraries {
   std::FILE* nowhere_;
 };
 
-/// The inverse of the sRGB encoding, IEC 61966-2-1, at k / top for k = 0 ... top.
+/// srgb_eotf() at k / top for k = 0 ... top.
 std::vector<float> linearising_table(std::size_t top) {
   std::vector<float> table(top + 1);
   for (std::size_t k = 0; k <= top; ++k) {
-    const double x = static_cast<double>(k) / static_cast<double>(top);
-    table[k] = static_cast<float>(x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4));
+    table[k] = static_cast<float>(srgb_eotf(static_cast<double>(k) / static_cast<double>(top)));
   }
   return table;
 }
@@ -123,6 +122,13 @@ void make_finite(std::vector<float>& values) {
   }
 }
 
+/// How many rows to read at a time: whole tiles, or as many as a row of the pyramid's tiles has.
+int rows_at_a_time(const OIIO::ImageSpec& spec) {
+  return spec.tile_height > 0 ? spec.tile_height : Pyramid::tile;
+}
+
+int channels_kept(const OIIO::ImageSpec& spec) { return spec.nchannels >= 3 ? 3 : 1; }
+
 void check(const OIIO::ImageSpec& spec, const TextureRequest& request) {
   const auto bytes = static_cast<std::uint64_t>(std::max(spec.width, 0)) *
                      static_cast<std::uint64_t>(std::max(spec.height, 0)) * spec.pixel_bytes(true);
@@ -133,11 +139,14 @@ void check(const OIIO::ImageSpec& spec, const TextureRequest& request) {
                              std::to_string(spec.height) + " pixels of " +
                              std::to_string(spec.nchannels) + " channels, which is too much");
   }
-}
-
-/// How many rows to read at a time: whole tiles, or as many as a row of the pyramid's tiles has.
-int rows_at_a_time(const OIIO::ImageSpec& spec) {
-  return spec.tile_height > 0 ? spec.tile_height : Pyramid::tile;
+  // A file may say that its tiles are far larger than the picture.
+  const auto row = static_cast<std::uint64_t>(std::max(spec.width, spec.tile_width)) *
+                   static_cast<std::uint64_t>(channels_kept(spec)) * sizeof(float);
+  if (row * static_cast<std::uint64_t>(rows_at_a_time(spec)) > request.decoded_bytes) {
+    throw std::runtime_error("its reader found tiles of " + std::to_string(spec.tile_width) +
+                             " x " + std::to_string(spec.tile_height) +
+                             " pixels, which is too much");
+  }
 }
 
 void read_rows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int y, int end, int channels,
@@ -175,7 +184,7 @@ DecodedTexture decode_texture(const TextureRequest& request) {
     throw std::runtime_error(reason_of(input->geterror()));
   }
   check(spec, request);
-  const int channels = spec.nchannels >= 3 ? 3 : 1;
+  const int channels = channels_kept(spec);
   const auto bits = spec.format.size() * 8;
   DecodedTexture decoded;
   decoded.is_encoded = !spec.format.is_floating_point() && bits <= 16;

@@ -1,6 +1,7 @@
 #pragma once
 /// What rt_oiio.so offers to the rest of src/io. Both sides are built together, so C++ types may
-/// cross; exceptions do not: every function returns the reason of its failure, empty for success.
+/// cross; exceptions do not: a function that can fail returns the reason, empty for success, or
+/// false.
 #include <cstdint>
 #include <map>
 #include <string>

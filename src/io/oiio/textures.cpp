@@ -3,7 +3,6 @@
 #include <OpenImageIO/imagecache.h>
 #include <OpenImageIO/texture.h>
 
-#include <algorithm>
 #include <atomic>
 #include <deque>
 #include <memory>

@@ -129,10 +129,10 @@ TEST(WriteImage, SurvivesNaN) {
 TEST(WriteImage, RefusesAnotherExtension) {
   const TempFolder folder;
   for (const char* name : {"a.gif", "a", "a.png.txt", ".png", "a.", ""}) {
-    const auto message = message_of<FileError>([&] { check_output(folder / name); });
+    const auto message = message_of<FileError>([&] { check_output(folder / name, 1, 1); });
     EXPECT_NE(message.find(".png, .bmp"), std::string::npos) << message;
   }
-  EXPECT_NO_THROW(check_output(folder / "a.TGA"));
+  EXPECT_NO_THROW(check_output(folder / "a.TGA", 1, 1));
 }
 
 TEST(WriteImage, RefusesASizeThatTheFormatCannotHold) {
@@ -146,7 +146,7 @@ TEST(WriteImage, RefusesASizeThatTheFormatCannotHold) {
 TEST(WriteImage, NamesTheMissingFolder) {
   const TempFolder folder;
   const auto file = folder / "missing" / "a.png";
-  for (const auto& message : {message_of<FileError>([&] { check_output(file); }),
+  for (const auto& message : {message_of<FileError>([&] { check_output(file, 1, 1); }),
                               message_of<FileError>([&] { write_image(file, ramp(), {}, {}); })}) {
     EXPECT_NE(message.find(file.string()), std::string::npos) << message;
     EXPECT_NE(message.find("create"), std::string::npos) << message;
@@ -157,7 +157,7 @@ TEST(WriteImage, NamesTheMissingFolder) {
 TEST(WriteImage, RefusesAFolderAsFile) {
   const TempFolder folder;
   std::filesystem::create_directory(folder / "a.png");
-  EXPECT_THROW(check_output(folder / "a.png"), FileError);
+  EXPECT_THROW(check_output(folder / "a.png", 1, 1), FileError);
   EXPECT_THROW(write_image(folder / "a.png", ramp(), {}, {}), FileError);
   EXPECT_EQ(folder.entries(), 1U);
 }
@@ -183,7 +183,7 @@ TEST(WriteImage, RefusesAReadOnlyFolder) {
       return 1;
     }
     try {
-      check_output(folder / "a.png");
+      check_output(folder / "a.png", 1, 1);
       return 2;
     } catch (const FileError& error) {
       if (std::string(error.what()).find("Permission denied") == std::string::npos) {

@@ -41,6 +41,12 @@ class Gate : public testing::Test {
   TextureLimits limits_;
 };
 
+/// A JPEG of 12 x 13 pixels up to its scan's data.
+std::string jpeg_start() {
+  return bytes({0xff, 0xd8, 0xff, 0xe0, 0, 4, 0, 0, 0xff, 0xff, 0xc0, 0, 17, 8}) + be(13, 2) +
+         be(12, 2) + bytes({4}) + std::string(9, 'a');
+}
+
 TEST_F(Gate, ReadsWhatEachFormatClaims) {
   expect_claims(header(png(2, 16, 2, {std::string(12, 'a')})), "PNG", 2, 1, 3);
   expect_claims(header(bmp(3, 2, std::string(24, 'a'))), "BMP", 3, 2, 3);
@@ -48,10 +54,7 @@ TEST_F(Gate, ReadsWhatEachFormatClaims) {
   expect_claims(header(hdr("-Y 7 +X 6", "")), "HDR", 6, 7, 3);
   expect_claims(header(tiff({{256, 9}, {257, 8}, {258, 8}, {277, 3}}, "")), "TIFF", 9, 8, 3);
   expect_claims(header(exr_header(10, 11)), "EXR", 11, 12, 1);
-  const std::string jpeg = bytes({0xff, 0xd8, 0xff, 0xe0, 0, 4, 0, 0, 0xff, 0xff, 0xc0, 0, 17, 8}) +
-                           be(13, 2) + be(12, 2) + bytes({4}) + std::string(12, 'a') +
-                           bytes({0xff, 0xd9});
-  expect_claims(header(jpeg), "JPEG", 12, 13, 4);
+  expect_claims(header(jpeg_start() + bytes({0xff, 0xd9})), "JPEG", 12, 13, 4);
 }
 
 TEST_F(Gate, CountsChannelsAndBytes) {
@@ -158,6 +161,21 @@ TEST_F(Gate, RefusesWhatReadersHaveGotWrong) {
   EXPECT_EQ(h.readable_bytes, body.size());
 }
 
+TEST_F(Gate, FindsTheEndOfAJpegWhereverItIs) {
+  // Around the end of what is read at a time, 16 KB.
+  for (std::size_t before = 16'370; before < 16'395; ++before) {
+    const std::string data = jpeg_start() + std::string(before, 'a');
+    EXPECT_EQ(header(data + bytes({0xff, 0xd9})).width, 12U) << before;
+    EXPECT_EQ(header(data + bytes({0xff, 0xff, 0xd9}) + "tail").width, 12U) << before;
+    expect_refused(data + bytes({0xff}), "have no end");
+    expect_refused(data + bytes({0xff, 0, 0xd9}), "have no end");
+    // Within a segment there are no marks, wherever its length stands.
+    const std::string segment = bytes({0xff, 0xe1, 0, 4, 0xff, 0xd9});
+    expect_refused(data + segment + "tail", "have no end");
+    EXPECT_EQ(header(data + segment + bytes({0xff, 0xd9})).width, 12U) << before;
+  }
+}
+
 TEST_F(Gate, IsQuickHoweverTheHeaderWinds) {
   // As many empty JPEG segments as there is patience for, and a TIFF list that never ends.
   std::string segments("\xff\xd8", 2);
@@ -166,6 +184,13 @@ TEST_F(Gate, IsQuickHoweverTheHeaderWinds) {
   }
   const auto begin = std::chrono::steady_clock::now();
   expect_refused(segments, "JPEG header makes no sense");
+  // A JPEG whose data are nothing but escaped bytes: its end is looked for.
+  expect_refused(jpeg_start() + std::string(3'000'000, '\xff') + '\0', "have no end");
+  std::string escapes = jpeg_start();
+  for (int i = 0; i < 1'500'000; ++i) {
+    escapes += std::string("\xff\0", 2);
+  }
+  expect_refused(escapes, "have no end");
   expect_refused(std::string("II*\0\x08\0\0\0\xff\xff", 10), "TIFF header makes no sense");
   expect_refused("#?RADIANCE\n" + std::string(1'000'000, 'a'), "its header makes no sense");
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));

@@ -315,6 +315,26 @@ TEST_F(Textures, FindBrokenFilesWhenOpened) {
                "a"));
 }
 
+TEST_F(Textures, RefuseTilesThatTakeMoreThanAPictureMay) {
+  put(folder_ / "tall", tiff({{256, 1},
+                              {257, 1},
+                              {258, 8},
+                              {259, 1},
+                              {262, 1},
+                              {277, 1},
+                              {322, 16},
+                              {323, 4096},
+                              {324, 8},
+                              {325, 16 * 4096}},
+                             std::string(16 * 4096, 'a')));
+  TextureLimits limits;
+  EXPECT_NO_THROW(open_texture(folder_ / "tall", limits));
+  limits.decoded_bytes = 200'000;  // as floats they take 262'144
+  const std::string message =
+      message_of<FileError>([&] { open_texture(folder_ / "tall", limits); });
+  EXPECT_NE(message.find("tiles of 16 x 4096 pixels"), std::string::npos) << message;
+}
+
 TEST_F(Textures, FindWholeFilesThatWereCutShort) {
   std::mt19937 random(5);
   Image picture{90, 70, {}};

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,6 +13,7 @@
 #include <string>
 #include <thread>
 
+#include "rt/scene/error.h"
 #include "temp_folder.h"
 
 namespace rt::io {
@@ -78,6 +80,24 @@ TEST(WholeFile, OldTemporariesThatNobodyHoldsAreRemoved) {
   EXPECT_TRUE(std::filesystem::exists(folder / ".raytracer-1-2.tmp")) << "is at work";
   EXPECT_TRUE(std::filesystem::exists(folder / "other.tmp")) << "is somebody else's";
   EXPECT_EQ(bytes_of(folder / "file"), "text");
+}
+
+TEST(WholeFile, ReplacesNeitherFoldersNorPipesNorDevices) {
+  const TempFolder folder;
+  std::filesystem::create_directory(folder / "folder");
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  std::filesystem::create_symlink("/dev/null", folder / "link");
+  for (const char* name : {"folder", "pipe", "link"}) {
+    EXPECT_THROW(check_place(folder / name), FileError) << name;
+    EXPECT_THROW(write(folder / name, "text"), FileError) << name;
+  }
+  EXPECT_TRUE(std::filesystem::is_fifo(folder / "pipe"));
+  EXPECT_EQ(temporaries(folder.path()), 0u);
+  EXPECT_THROW(check_place(folder / std::string(300, 'n')), FileError);
+  EXPECT_THROW(check_place(folder / "missing" / "file"), FileError);
+  write(folder / "file", "text");
+  EXPECT_NO_THROW(check_place(folder / "file"));
+  EXPECT_NO_THROW(check_place(folder / "new"));
 }
 
 TEST(WholeFile, NothingIsAbandonedWhenNothingIsWritten) {
