@@ -19,7 +19,9 @@ bool is_inside(const fs::path& file, const fs::path& folder) {
 fs::path confined(const fs::path& by_script) {
   std::error_code error;
   const fs::path here = fs::weakly_canonical(fs::current_path(error), error);
-  const fs::path file = error ? fs::path() : fs::weakly_canonical(here / by_script, error);
+  fs::path file = error ? fs::path() : fs::weakly_canonical(here / by_script, error);
+  // Twice: what follows a part that does not exist is put in order the first time, not resolved.
+  file = error ? file : fs::weakly_canonical(file, error);
   if (error) {
     throw FileError(fmt::format("cannot write {}: {}; choose another name, or give one with -o",
                                 by_script.string(), error.message()));
