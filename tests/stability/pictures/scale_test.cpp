@@ -23,7 +23,18 @@ std::vector<Named> every_primitive() {
           {"cone", PointedCone{}, Affine::scaling({0.8, 1.6, 0.8})},
           {"blob", Blob{}, Affine::translation({0, 1, 0})},
           {"square", Square{1.6}, up * Affine::rotation(0, 70)},
-          {"mesh", Mesh{data}, Affine::rotation(1, 25)}};
+          {"mesh", Mesh{data}, Affine::rotation(1, 25)},
+          {"capsule", Capsule{1.0, 0.5}, up * Affine::rotation(2, 40)}};
+}
+
+/// In the primitive's own space, well inside it.
+Vec3 heart_of(const Shape& shape) {
+  if (const Torus* torus = std::get_if<Torus>(&shape)) {
+    return {torus->major_radius + 0.3 * torus->minor_radius, 0, 0};
+  }
+  const bool stands = !std::holds_alternative<Sphere>(shape) &&
+                      !std::holds_alternative<Box>(shape) && !std::holds_alternative<Blob>(shape);
+  return {0, stands ? 0.3 : 0.0, 0};
 }
 
 /// The primitive in three materials, on a plane, with shadows of one upon the others.
@@ -72,6 +83,39 @@ TEST(Scale, InsideASphereTheLightAtItsCentreReachesAll) {
     // n.l = 1 everywhere: 0.5 (0.25 + 1).
     for (const float p : world.picture().pixels) {
       EXPECT_NEAR(p, 0.625, 1e-6) << scale;  // a float's rounding, times ten
+    }
+  }
+}
+
+/// From inside, the light with us: walls of the material, and what is seen past them through glass.
+Film inside(const Named& primitive, const Material& material, const Placement& placement) {
+  World world(placement, 60, 45);
+  const Vec3 eye = primitive.place.point(heart_of(primitive.shape));
+  world.look(eye, eye + Vec3(1, 0.3, 0.4), 100);
+  world.light(eye + Vec3(0.01, 0.05, -0.02));
+  world.light({4, 6, 5});
+  world.add(Plane{}, Affine::translation({0, -1.5, 0}), matt({0.6, 0.55, 0.5}));
+  world.add(primitive.shape, primitive.place, material);
+  return world.picture();
+}
+
+TEST(Scale, InsideEveryClosedPrimitiveItLooksTheSame) {
+  Material polished = matt({0.5, 0.4, 0.3});
+  polished.reflectivity = Rgb(0.4);
+  for (const Named& primitive : every_primitive()) {
+    if (std::holds_alternative<Square>(primitive.shape)) {
+      continue;
+    }
+    for (const Material& material : {matt({0.8, 0.3, 0.2}), polished, glass()}) {
+      const Film reference = inside(primitive, material, {});
+      ASSERT_TRUE(has_contrast(reference)) << primitive.name;
+      for (const Placement& placement :
+           {Placement{1e-8, Vec3(0.0)}, Placement{1e-3, Vec3(0.0)}, Placement{1e8, Vec3(0.0)},
+            Placement{1.0, 1e6 * Vec3(1, -1, 1)}}) {
+        EXPECT_EQ(differing_pixels(reference, inside(primitive, material, placement)), 0)
+            << primitive.name << " at scale " << placement.scale << ", off by "
+            << placement.offset.x;
+      }
     }
   }
 }
