@@ -125,6 +125,9 @@ SurfaceCoordinates surface_coordinates(const Box& shape, const SurfacePoint& poi
   const double v_sign = axis == 1 ? -side : 1;
   const Vec3 extent = shape.hi - shape.lo;
   const auto fraction = [&](int i, double sign) {
+    if (!(extent[i] > 0)) {
+      return 0.5;  // rounded away: a size below the last place of the corner
+    }
     return (sign > 0 ? point.position[i] - shape.lo[i] : shape.hi[i] - point.position[i]) /
            extent[i];
   };

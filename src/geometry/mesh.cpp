@@ -127,7 +127,7 @@ OptionalHit intersect_triangle(const MeshData& mesh, std::uint32_t triangle, con
   }
   const double sum = u + v + w;
   if (!(sum != 0)) {
-    return {};  // edge-on, or NaN
+    return {};  // edge-on
   }
   // The corners' mean depth with positive weights, as the first corner's and a correction of the
   // triangle's own size: from afar it is rounded once.

@@ -54,6 +54,9 @@ Sum summed(const Noise& noise, std::span<const Octave> octaves, const Vec3& p, d
 /// 1/2 + 1/2 sin(2 pi phase), with a phase that is `carrier` plus a displacement by `sum`.
 PatternSample stripes(double carrier, const Vec3& carrier_gradient, double displacement,
                       const Sum& sum, double keep) {
+  if (!std::isfinite(carrier)) {
+    return {0.5, Vec3(0.0)};  // beyond 2^1023 periods: the mean
+  }
   const double phase = carrier + displacement * sum.value;
   const double turn = 2.0 * pi * (phase - std::floor(phase));  // digits of large phases are kept
   const double deviation = 2.0 * pi * displacement;

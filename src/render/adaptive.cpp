@@ -100,9 +100,7 @@ void double_samples(PixelSampler& sampler, std::span<PixelEstimate* const> pixel
     rest = rest.subspan(more);
     const double rate = observed_exponent(*e);
     const Rgb expected = std::pow(0.5, rate) * e->variance;
-    e->variance = e->count >= 4
-                      ? (variance_of_quarters(*e, rate) + memory * expected) / (1.0 + memory)
-                      : expected;
+    e->variance = (variance_of_quarters(*e, rate) + memory * expected) / (1.0 + memory);
     set_error(*e, encoding);
   }
 }

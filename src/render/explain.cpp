@@ -76,7 +76,9 @@ std::string scene(const RenderPlan& plan, const Counts& c) {
 std::string search(const RenderPlan& plan) {
   const std::string boxes = counted(plan.bounded.size(), "box");
   if (plan.list) {
-    return boxes + " in a list, tested eight at a time: with so few a hierarchy would cost more";
+    return boxes + " in a list, tested eight at a time: " +
+           (plan.options.accel == AccelChoice::list ? "as asked for"
+                                                    : "with so few a hierarchy would cost more");
   }
   if (plan.tree) {
     return boxes + " in a hierarchy, eight to a node: its cost grows with the logarithm";
@@ -122,7 +124,8 @@ std::string chosen(const RenderPlan& plan, const Counts& c) {
     part.line("sight",
               "camera rays only try what a block of 8 x 8 pixels can show, where that is little");
   }
-  if ((plan.list || plan.tree) && !plan.lights.empty()) {
+  const bool cells = plan.list || (plan.tree && (c.extended > 0 || !PacketTracer::serves(plan)));
+  if (cells && !plan.lights.empty()) {
     part.line("shadows", "what may shadow a cell of some 16 pixels is remembered for each light");
   }
   part.line("pixels", pixels(o));
@@ -130,7 +133,7 @@ std::string chosen(const RenderPlan& plan, const Counts& c) {
     part.line("thin things",
               "some shapes are narrower than a pixel: pixels on them begin with more samples");
   }
-  if (c.extended > 0 && plan.random) {
+  if (c.extended > 0) {
     part.line("soft shadows", counted(c.extended, "light") +
                                   " with an extent: a line across each, a sample, past few things; "
                                   "past many a shadow ray");

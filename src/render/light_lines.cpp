@@ -40,7 +40,7 @@ Blockers::Blockers(const RenderPlan& plan, const Candidates& candidates, const S
     if (own && instance.convex && point.side == Leaving::outward) {
       continue;  // the light above the surface is not hidden by it
     }
-    const Bounds box = plan.visit(instance, [](const auto& shape) { return bounds(shape); });
+    const Bounds box = model_box_of(plan, instance);
     const bool told = !own && !instance.moves() && instance.convex && box.finite();
     plan.map(instance, 0.0, [&](const auto& map) {
       if (!told || !before(box, map, point, seen)) {

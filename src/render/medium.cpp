@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <ranges>
 #include <variant>
 
 #include "rt/render/query.h"
@@ -79,6 +81,16 @@ Rgb transmittance(const RenderPlan& plan, std::uint32_t medium, double distance)
   }
   const Rgb& absorption = plan.materials[plan.instances[medium].material].absorption;
   return glm::exp(-absorption * distance);
+}
+
+Rgb transmittance_beyond(const RenderPlan& plan, const TraceRay& ray) {
+  for (const std::uint32_t id : std::views::reverse(plan.unbounded)) {  // as media_about() orders
+    const PlannedMaterial& material = plan.material_of(plan.instances[id]);
+    if (material.transmissive && inside(plan, id, ray)) {
+      return 1.0 - glm::step(std::numeric_limits<double>::min(), material.absorption);
+    }
+  }
+  return Rgb(1.0);
 }
 
 }  // namespace rt

@@ -18,8 +18,8 @@ bool differ(const Rgb& a, const Rgb& b) {
 
 }  // namespace
 
-void uniform_row(PixelSampler& sampler, int x, int y, int count, std::span<Rgb> row,
-                 RenderStatistics& statistics) {
+bool uniform_row(PixelSampler& sampler, int x, int y, int count, std::span<Rgb> row,
+                 const Deadline& deadline, RenderStatistics& statistics) {
   const auto pixels = static_cast<std::int64_t>(row.size());
   std::vector<PixelSample> wanted;
   std::vector<std::optional<Rgb>> values(at_once);
@@ -27,6 +27,9 @@ void uniform_row(PixelSampler& sampler, int x, int y, int count, std::span<Rgb> 
   std::ranges::fill(row, Rgb(0.0));
   const std::int64_t all = pixels * count;
   for (std::int64_t begin = 0; begin < all; begin += at_once) {
+    if (deadline.told()) {
+      return false;
+    }
     wanted.clear();
     const std::int64_t end = std::min(all, begin + at_once);
     for (std::int64_t i = begin; i < end; ++i) {
@@ -44,6 +47,7 @@ void uniform_row(PixelSampler& sampler, int x, int y, int count, std::span<Rgb> 
   for (std::size_t i = 0; i < row.size(); ++i) {
     row[i] = good[i] > 0 ? row[i] / static_cast<double>(good[i]) : Rgb(0.0);
   }
+  return true;
 }
 
 CornerTile::CornerTile(PixelSampler& sampler, const Crop& tile, RenderStatistics& statistics)

@@ -21,10 +21,11 @@ Vec3 corner(const Bounds& box, int i) {
           (i & 4) != 0 ? box.hi.z : box.lo.z};
 }
 
-/// How far the straight way between two keys is off the true place halfway, relative to the
-/// distance from the eye.
-double deviation(const Affine& a, const Affine& truth, const Affine& b, const Bounds& box) {
-  const Affine chord = mixed(a, b, 0.5);
+/// How far the straight way between two keys is off the true place at a share of it, relative to
+/// the distance from the eye.
+double deviation(const Affine& a, const Affine& truth, const Affine& b, double share,
+                 const Bounds& box) {
+  const Affine chord = mixed(a, b, share);
   double largest = 0.0;
   for (int i = 0; i < 8; ++i) {
     const Vec3 there = truth.point(corner(box, i));
@@ -65,18 +66,22 @@ PlannedMotion planned_motion(const std::function<Affine(double)>& path, const Bo
                              double tolerance) {
   // What has no end is judged by its part about its own origin.
   const Bounds box = model_box.finite() ? model_box : Bounds{Vec3(-1.0), Vec3(1.0)};
-  // Three intervals at first, so that a full turn does not look still.
+  // Three intervals at first, so that a full turn does not look still. Each is looked at halfway
+  // and in the golden section: no whole number of turns hides at both.
+  constexpr double golden = 0.3819660112501051;
   PlannedMotion motion{{path(0.0), path(1.0 / 3.0), path(2.0 / 3.0), path(1.0)}};
-  for (bool dense = false; !dense && motion.keys.size() <= most_intervals;) {
+  for (bool dense = false; !dense && 2 * (motion.keys.size() - 1) <= most_intervals;) {
     const auto intervals = static_cast<double>(2 * (motion.keys.size() - 1));
     std::vector<Affine> finer{motion.keys[0]};
     dense = true;
     for (std::size_t i = 0; i + 1 < motion.keys.size(); ++i) {
       finer.push_back(path((2.0 * static_cast<double>(i) + 1.0) / intervals));
       finer.push_back(motion.keys[i + 1]);
-      const double off =
-          deviation(motion.keys[i], finer[finer.size() - 2], motion.keys[i + 1], box);
-      dense = dense && off <= tolerance;
+      const Affine aside = path(2.0 * (static_cast<double>(i) + golden) / intervals);
+      const Affine& middle = finer[finer.size() - 2];
+      dense = dense &&
+              deviation(motion.keys[i], middle, motion.keys[i + 1], 0.5, box) <= tolerance &&
+              deviation(motion.keys[i], aside, motion.keys[i + 1], golden, box) <= tolerance;
     }
     if (!dense) {
       motion.keys = std::move(finer);

@@ -33,6 +33,8 @@ Search search_for(const RenderOptions& options, std::size_t boxes) {
       return Search::grid;
     case AccelChoice::bvh:
       return Search::tree;
+    case AccelChoice::list:
+      return Search::list;
     default:
       return boxes > few ? Search::tree : Search::list;
   }
@@ -167,7 +169,7 @@ class Planner {
     to.material = materials_.index_of(from);
     to.shadow = shadow_of(plan_.material_of(to));
     plan_.dims |= to.shadow == Shadow::dims;
-    const Bounds model_box = std::visit([](const auto& s) { return bounds(s); }, *from.shape);
+    const Bounds model_box = model_box_of(plan_, to);
     locate(from, model_box, to);
     const auto id = static_cast<std::uint32_t>(plan_.instances.size());
     plan_.instances.push_back(to);
@@ -230,6 +232,7 @@ class Planner {
       if (added) {
         plan_.shapes.add(*from);
         plan_.mesh_trees.push_back(tree_of(*mesh->data));
+        plan_.mesh_boxes.push_back(bounds(*mesh));
       }
       return entry->second;
     }
@@ -269,8 +272,13 @@ class Planner {
 
 }  // namespace
 
+Bounds model_box_of(const RenderPlan& plan, const PlannedInstance& instance) {
+  return instance.is<Mesh>() ? plan.mesh_boxes[instance.shape]
+                             : plan.visit(instance, [](const auto& s) { return bounds(s); });
+}
+
 Bounds box_of(const RenderPlan& plan, const PlannedInstance& instance) {
-  const Bounds box = plan.visit(instance, [](const auto& s) { return bounds(s); });
+  const Bounds box = model_box_of(plan, instance);
   return instance.moves() ? plan.placements.motion(instance.placement).bounds(box)
                           : transformed(plan.placement(instance).render_from_model, box);
 }

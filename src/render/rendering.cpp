@@ -101,7 +101,7 @@ void Rendering::count_done() {
 }
 
 /// Calls work(tile, sampler, statistics) for tiles that are not finished; it returns how much of
-/// the tile's work that was. What it did to the statistics counts unless that is nothing.
+/// the tile's work that was. What it did to the statistics always counts.
 template <class Work>
 void Rendering::for_open_tiles(const Until& until, const Work& work) {
   for_each_index(areas_.size(), [&](std::size_t i) {
@@ -172,11 +172,9 @@ bool Rendering::plain_tile(const Crop& tile, PixelSampler& sampler, RenderStatis
   }
   std::vector<Rgb> row(static_cast<std::size_t>(tile.width));
   for (int y = tile.y; y < tile.y + tile.height; ++y) {
-    if (stop.told()) {
+    if (stop.told() ||
+        (!corners && !uniform_row(sampler, tile.x, y, fixed_, row, stop, statistics))) {
       return false;
-    }
-    if (!corners) {
-      uniform_row(sampler, tile.x, y, fixed_, row, statistics);
     }
     for (int x = tile.x; x < tile.x + tile.width; ++x) {
       const Rgb value = corners ? corners->value(x, y) : row[static_cast<std::size_t>(x - tile.x)];

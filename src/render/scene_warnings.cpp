@@ -45,8 +45,9 @@ std::optional<std::uint32_t> solid_around(const RenderPlan& plan, const Vec3& po
 
 /// Of a planned instance. The shapes of visible lights, which follow those of the job, are no
 /// walls.
-bool is_opaque(const RenderJob& job, std::uint32_t instance) {
-  return instance < job.instances.size() && job.instances[instance].material->opacity >= 1.0;
+bool is_opaque(const RenderJob& job, const RenderPlan& plan, std::uint32_t instance) {
+  return instance < job.instances.size() &&
+         !plan.material_of(plan.instances[instance]).transmissive;
 }
 
 /// What camera rays on a coarse grid meet.
@@ -66,7 +67,7 @@ View look(const RenderJob& job, const RenderPlan& plan) {
     view.anything = view.anything || closest_hit(plan, {Vec3(0.0), direction});
     met.insert(solid_around(plan, Vec3(0.0), direction));
   }
-  if (met.size() == 1 && *met.begin() && is_opaque(job, **met.begin())) {
+  if (met.size() == 1 && *met.begin() && is_opaque(job, plan, **met.begin())) {
     view.shut_in = *met.begin();
   }
   return view;
@@ -76,12 +77,13 @@ void warn_of_lights(const RenderJob& job, const RenderPlan& plan,
                     std::vector<std::string>& warnings) {
   const Vec3 any_direction(0.36, 0.48, 0.8);
   const auto around_eye = solid_around(plan, Vec3(0.0), any_direction);
-  for (const Light& light : job.lights) {
-    if (light.radius > 0.0 || light.rectangle) {
+  for (std::size_t i = 0; i < job.lights.size(); ++i) {
+    if (plan.lights[i].extended()) {
       continue;  // it may reach out
     }
-    const auto around = solid_around(plan, light.position - job.camera.eye, any_direction);
-    if (around && around != around_eye && is_opaque(job, *around)) {
+    const Light& light = job.lights[i];
+    const auto around = solid_around(plan, plan.lights[i].position, any_direction);
+    if (around && around != around_eye && is_opaque(job, plan, *around)) {
       warnings.push_back(fmt::format(
           "{}{}the light at {} is inside '{}', whose surface lets no light out; move it, or make "
           "that material transparent",
@@ -98,6 +100,13 @@ std::vector<std::string> scene_warnings(const RenderJob& job, const RenderPlan& 
   std::vector<std::string> warnings;
   const std::string where = job.where.empty() ? "" : job.where + ": ";
   warn_of_lights(job, plan, warnings);
+  const RenderOptions& options = plan.options;
+  if (options.time_limit > 0.0 &&
+      (fixed_samples(options) > 0 || options.aa == AntiAliasing::corners)) {
+    warnings.push_back(where +
+                       "time_limit does nothing where the number of samples is given: leave out "
+                       "'samples' and 'aa', and the picture takes what the time allows");
+  }
   const bool black = is_black(film);
   if (!black && !has_even_rows(film)) {
     return warnings;

@@ -119,7 +119,7 @@ std::optional<SeenLight> SeenLight::from(const Vec3& p, const PlannedLight& ligh
   seen.free_ = free;
   seen.far_ = d;
   seen.mean_ = frame.z * (0.5 * (1.0 + std::sqrt(free) / d));
-  seen.depth_ = free / d;  // of the circle where the cone touches the sphere
+  seen.depth_ = d - light.radius;  // of its nearest point: what stands inside hides nothing
   return seen;
 }
 

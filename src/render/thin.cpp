@@ -94,7 +94,7 @@ Parts parts_of(const RenderPlan& plan, const PlannedInstance& instance) {
   const Affine map = plan.placement(instance).render_from_model;
   const Torus* torus = instance.is<Torus>() ? &plan.shapes.of<Torus>()[instance.shape] : nullptr;
   if (torus == nullptr || torus->minor_radius > 0.25 * torus->major_radius) {
-    parts.add(map, plan.visit(instance, [](const auto& s) { return bounds(s); }));
+    parts.add(map, model_box_of(plan, instance));
     return parts;
   }
   // Arcs so short that they bend by no more than the tube is thick.

@@ -79,6 +79,9 @@ void Tracer::follow(Path& path) {
                        : closest_hit(plan_, path.ray);
   if (!hit) {
     const Background& b = plan_.options.background;
+    if (plan_.absorbs) {
+      path.throughput *= transmittance_beyond(plan_, path.ray);
+    }
     sum_ += path.throughput * glm::mix(b.top, b.bottom, y_);
     return;
   }

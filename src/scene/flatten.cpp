@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 
 #include "rt/scene/error.h"
 #include "rt/scene/node.h"
@@ -103,7 +104,25 @@ class Flattener {
     if (node.material) {
       return {node.material, node.textures, std::move(group)};
     }
-    return {inherited.material, layered(inherited.textures, node.textures), std::move(group)};
+    return {inherited.material, both(node, inherited.textures), std::move(group)};
+  }
+
+  /// Layered once for each pair, however many ways lead to the node.
+  std::shared_ptr<const TextureSet> both(const Node& node,
+                                         const std::shared_ptr<const TextureSet>& above) {
+    if (!above || !node.textures) {
+      return layered(above, node.textures);
+    }
+    auto& known = layers_[{above.get(), node.textures.get()}];
+    if (!known) {
+      extra_bytes_ +=
+          2 * instance_bytes;  // the set, a material planned of it, their places in maps
+      if (is_full()) {
+        refuse(node);
+      }
+      known = layered(above, node.textures);
+    }
+    return known;
   }
 
   static void check_depth(const Node& node, std::size_t depth) {
@@ -122,7 +141,7 @@ class Flattener {
   }
 
   bool is_full() const {
-    return result_.instances.size() + path_bytes_ / instance_bytes >= max_instances_;
+    return result_.instances.size() + extra_bytes_ / instance_bytes >= max_instances_;
   }
 
   /// The path with one more link. Each is a copy: moving nodes below each other take memory by the
@@ -130,7 +149,7 @@ class Flattener {
   std::shared_ptr<const MotionPath> longer(const Node& node,
                                            const std::shared_ptr<const MotionPath>& path,
                                            MotionPath::Link link) {
-    path_bytes_ += ((path ? path->links.size() : 0) + 1) * sizeof(MotionPath::Link);
+    extra_bytes_ += ((path ? path->links.size() : 0) + 1) * sizeof(MotionPath::Link);
     if (is_full()) {
       refuse(node);
     }
@@ -176,7 +195,9 @@ class Flattener {
 
   std::size_t max_instances_;
   std::size_t visits_ = 0;
-  std::size_t path_bytes_ = 0;  ///< of all paths made; counted as if they were instances
+  std::size_t extra_bytes_ = 0;  ///< of all paths made; counted as if they were instances
+  std::map<std::pair<const TextureSet*, const TextureSet*>, std::shared_ptr<const TextureSet>>
+      layers_;
   Flattened result_;
   TextureCover cover_;
   std::shared_ptr<const Material> default_material_;

@@ -27,13 +27,17 @@ Affine Pose::affine() const {
 }
 
 Pose between(const Pose& a, const Pose& b, double share) {
+  // The same turn told about the opposite axis: axes no more than a right angle apart do not mix to
+  // nothing.
+  const bool both = a.degrees != 0.0 && b.degrees != 0.0;
+  const double side = both && glm::dot(a.axis, b.axis) < 0.0 ? -1.0 : 1.0;
   Pose p;
   p.translate = glm::mix(a.translate, b.translate, share);
   p.axis = a.degrees == 0.0   ? b.axis
            : b.degrees == 0.0 ? a.axis
            : a.axis == b.axis ? a.axis
-                              : glm::mix(a.axis, b.axis, share);
-  p.degrees = std::lerp(a.degrees, b.degrees, share);
+                              : glm::mix(a.axis, side * b.axis, share);
+  p.degrees = std::lerp(a.degrees, side * b.degrees, share);
   p.scale = glm::mix(a.scale, b.scale, share);
   p.about = glm::mix(a.about, b.about, share);
   return p;

@@ -1,6 +1,7 @@
 #include "rt/scene/texture.h"
 
 #include <cmath>
+#include <limits>
 
 #include "rt/math/rounding.h"
 
@@ -15,6 +16,9 @@ double sign_of_cell(double cell) { return cell == 2.0 * std::floor(0.5 * cell) ?
 /// triangle wave between 0 and 1; counted from the cell of the lower end, so that nothing grows
 /// with x.
 double wave(double x, double width) {
+  if (width > std::numeric_limits<double>::max()) {
+    return 0.0;
+  }
   const double lo = x - 0.5 * width;
   const double cell = std::floor(lo);
   const double sign = sign_of_cell(cell);
@@ -25,7 +29,7 @@ double wave(double x, double width) {
   }
   const double phase = end - 2.0 * std::floor(0.5 * end);  // in [0, 2)
   const double integral = 1.0 - std::abs(phase - 1.0);
-  return std::isfinite(end) ? sign * (integral - begin) / width : 0.0;
+  return sign * (integral - begin) / width;
 }
 
 }  // namespace

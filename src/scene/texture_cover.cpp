@@ -34,7 +34,8 @@ std::shared_ptr<const TextureCover::Group> TextureCover::enter(
 }
 
 void TextureCover::show(const Node& node, const TextureSet* textures, const Group* group) {
-  for (; group != nullptr; group = group->above.get()) {
+  for (; group != nullptr && !group->shown; group = group->above.get()) {
+    group->shown = true;
     shown_.insert(group->node);
   }
   if (mesh_without_coordinates_ == nullptr && textures != nullptr &&

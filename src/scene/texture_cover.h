@@ -16,6 +16,7 @@ class TextureCover {
   struct Group {
     const Node* node;
     std::shared_ptr<const Group> above;
+    mutable bool shown = false;  ///< and so are all above
   };
 
   /// To be called for each node: the groups whose textures hold for it and for what is below it,

@@ -46,6 +46,13 @@ TEST_F(Explained, WhatIsAskedForIsSaid) {
   EXPECT_TRUE(says(explained(plain, "--samples 9"), "9 samples a pixel"));
   EXPECT_TRUE(says(explained(plain, "--accel grid"), "uniform grid"));
   EXPECT_TRUE(says(explained(plain, "--accel bvh"), "hierarchy"));
+  const char* const many = R"(
+local scene = gr.node("scene")
+for i = 1, 200 do scene:add_child(gr.nh_sphere("s", {i, 0, 0}, 0.4)) end
+gr.render(scene, "many.png", 64, 48, {0, 0, 5}, {0, 0, -1}, {0, 1, 0}, 40, {1, 1, 1}, {})
+)";
+  EXPECT_TRUE(says(explained(many), "200 boxes in a hierarchy"));
+  EXPECT_TRUE(says(explained(many, "--accel list"), "200 boxes in a list"));
   EXPECT_TRUE(says(explained(plain, "--aa corners"), "classic scheme"));
 }
 

@@ -26,7 +26,8 @@ struct Span {
 };
 
 /// The s whose rays meet the shape; ends may be infinite. Empty where no formula tells: for shapes
-/// that are not convex, and from inside or as near as `nearest`. Then rays must.
+/// that are not convex, for planes and capsules, and from inside or as near as `nearest`. Then rays
+/// must.
 std::optional<Span> stopped(const Shape& shape, const Fan& fan);
 
 }  // namespace rt

@@ -3,7 +3,7 @@
 /// below) beside the others, and add it to the variant and to the table after it.
 ///
 ///   OptionalHit intersect(const S&, const Ray&, double t_max, const RayStart&)
-///       The nearest crossing with 0 < t <= t_max, or none. Any NaN in the ray gives none.
+///       The nearest crossing with 0 < t <= t_max, or none. Any NaN in what it looks at gives none.
 ///   SurfacePoint surface_point(const S&, const Ray&, const ShapeHit&)
 ///       The hit refined onto the surface, and the normals there.
 ///   SurfaceCoordinates surface_coordinates(const S&, const SurfacePoint&, std::uint32_t feature)

@@ -17,9 +17,6 @@ struct Frame {
   Vec3 x, y, z;
 
   Vec3 to_world(const Vec3& local) const { return local.x * x + local.y * y + local.z * z; }
-  Vec3 to_local(const Vec3& world) const {
-    return {glm::dot(world, x), glm::dot(world, y), glm::dot(world, z)};
-  }
 };
 
 /// A basis about the unit vector z, without branches or square roots. Source: Duff et al.,

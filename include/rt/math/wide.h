@@ -51,8 +51,20 @@ void each_lane(unsigned bits, Visit&& visit) {
   }
 }
 
+/// Copied number by number, and so whatever holds one: as a whole GCC copies vectors by halves, and a
+/// load of the whole then waits for both. (Its options -mmove-max and -mstore-max, which would cure
+/// that, make GCC 12 initialise structures of constants wrongly.)
 struct Wide2 {
   Wide x, y;
+
+  Wide2() = default;
+  Wide2(const Wide& a, const Wide& b) : x(a), y(b) {}
+  Wide2(const Wide2& b) : x(b.x), y(b.y) {}
+  Wide2& operator=(const Wide2& b) {
+    x = b.x;
+    y = b.y;
+    return *this;
+  }
 
   Vec2 lane(int i) const {
     const auto at = static_cast<std::size_t>(i);
@@ -65,6 +77,13 @@ struct Wide3 {
   Wide x, y, z;
 
   Wide3() = default;
+  Wide3(const Wide3& b) : x(b.x), y(b.y), z(b.z) {}
+  Wide3& operator=(const Wide3& b) {
+    x = b.x;
+    y = b.y;
+    z = b.z;
+    return *this;
+  }
   Wide3(const Wide& a, const Wide& b, const Wide& c) : x(a), y(b), z(c) {}
   explicit Wide3(const Wide& a) : x(a), y(a), z(a) {}
   /// The same in every lane.

@@ -43,8 +43,8 @@ RayDifferential refracted(const RayDifferential& at, const Vec3& direction,
 RayDifferential widened(const RayDifferential& perfect, const Vec3& drawn,
                         const PowerCosineLobe& lobe, double spacing);
 
-/// The shading normal of a point, without bumps, and its changes over the steps `at.dp_dx`,
-/// `dp_dy`.
+/// The shading normal of a point, and its changes over the steps `at.dp_dx`, `dp_dy`, those of
+/// bumps left out.
 NormalDifferential normal_differential(const RenderPlan& plan, const ShadingPoint& point,
                                        const RayDifferential& at);
 

@@ -30,4 +30,7 @@ double index_of(const RenderPlan& plan, std::uint32_t medium);
 /// Beer-Lambert transmittance over a distance in a medium.
 Rgb transmittance(const RenderPlan& plan, std::uint32_t medium, double distance);
 
+/// What arrives through the medium ahead of a ray that meets nothing: only half-spaces have no end.
+Rgb transmittance_beyond(const RenderPlan& plan, const TraceRay& ray);
+
 }  // namespace rt

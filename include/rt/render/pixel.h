@@ -3,14 +3,15 @@
 #include <span>
 #include <vector>
 
+#include "rt/render/adaptive.h"
 #include "rt/render/film.h"
 #include "rt/render/sample.h"
 
 namespace rt {
 
-/// The means over `count` samples of each pixel from (x, y) to the right.
-void uniform_row(PixelSampler& sampler, int x, int y, int count, std::span<Rgb> row,
-                 RenderStatistics& statistics);
+/// The means over `count` samples of each pixel from (x, y) to the right; false when told to stop.
+bool uniform_row(PixelSampler& sampler, int x, int y, int count, std::span<Rgb> row,
+                 const Deadline& deadline, RenderStatistics& statistics);
 
 /// The classic scheme: the pixel's square is divided in four as long as the colours at its corners
 /// differ by more than 0.1, at most five times, and a square that is not is the mean of its

@@ -92,6 +92,7 @@ struct RenderPlan {
   ShapeTable shapes;
   /// Over the triangles of each mesh in `shapes`; null: try them one by one.
   std::vector<std::unique_ptr<const BoxTree>> mesh_trees;
+  std::vector<Bounds> mesh_boxes;        ///< of each mesh in `shapes`: its triangles may be many
   std::vector<std::uint32_t> unbounded;  ///< instances no box can hold
   std::vector<std::uint32_t> bounded;    ///< the others: what the tree's boxes stand for
   /// Over `bounded`: a hierarchy, for a few a list, on request a grid; none: try them one by one.
@@ -144,6 +145,9 @@ struct RenderPlan {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> media_ranges;
   std::vector<std::uint32_t> media;
 };
+
+/// The box of the instance's shape, in model space.
+Bounds model_box_of(const RenderPlan& plan, const PlannedInstance& instance);
 
 /// The instance's box in render space; where it moves, for all times.
 Bounds box_of(const RenderPlan& plan, const PlannedInstance& instance);

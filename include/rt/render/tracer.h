@@ -26,9 +26,9 @@ inline constexpr double accepted_deviation = 0.05;
 /// At glass a path divides. Both branches are followed as long as leaving the choice to chance
 /// would add noticeably to the error; after that one is taken, in proportion to their weights,
 /// which is unbiased. Where nothing else is random (RenderPlan::random) nothing is left to chance:
-/// a branch that can carry no more than `negligible()` of full brightness is not followed. Weights
-/// of the branches alive at one depth sum to at most 1, so either rule bounds their number, and the
-/// cost is linear in the depth (derivation in the .cpp).
+/// a branch that can carry no more than `negligible_branch()` of full brightness is not followed.
+/// Weights of the branches alive at one depth sum to at most 1, so either rule bounds their number,
+/// and the cost is linear in the depth (derivation above).
 class Tracer {
  public:
   explicit Tracer(const RenderPlan& plan);
@@ -39,9 +39,6 @@ class Tracer {
   /// ray can meet. Counts the rays it takes.
   Rgb radiance(const TraceRay& camera_ray, double y, const Sampler& sampler, RayCounts& counts,
                const Candidates& sight = {});
-
-  /// The weight below which a branch does not matter, from the options' max_error.
-  double negligible() const { return negligible_; }
 
  private:
   struct Path {

@@ -17,7 +17,7 @@ struct RampStop {
 struct NoiseTexture {
   NoiseKind kind = NoiseKind::fbm;
   std::vector<Octave> octaves{{1.0, 1.0}};
-  std::vector<RampStop> ramp{{0.0, Rgb(0.0)}, {1.0, Rgb(1.0)}};  ///< not empty; `at` increases
+  std::vector<RampStop> ramp{{0.0, Rgb(0.0)}, {1.0, Rgb(1.0)}};  ///< not empty; `at` does not fall
   std::shared_ptr<const Noise> noise;                            ///< never null
 };
 

@@ -9,6 +9,7 @@ namespace {
 
 /// Cells a box: between 2 and 5 the time changes little (bench/NOTES.md).
 constexpr double cells_per_box = 3.0;
+constexpr double most_entries_per_box = 64.0;
 constexpr int most_cells = 1 << 10;  ///< along an axis
 constexpr double inf = std::numeric_limits<double>::infinity();
 
@@ -23,15 +24,22 @@ Grid::Grid(const std::vector<Bounds>& boxes) {
   const double largest =
       boxes.empty() || !(max_abs(all.extent()) > 0.0) ? 1.0 : max_abs(all.extent());
   const Vec3 extent = glm::max(boxes.empty() ? Vec3(1.0) : all.extent(), Vec3(1e-3 * largest));
-  const double edge =
-      std::cbrt(extent.x / largest * extent.y / largest * extent.z / largest /
-                (cells_per_box * std::max(1.0, static_cast<double>(boxes.size())))) *
-      largest;
   corner_ = boxes.empty() ? Vec3(0.0) : all.centre() - 0.5 * extent;
-  for (int k = 0; k < 3; ++k) {
-    const double count = std::clamp(std::round(extent[k] / edge), 1.0, double{most_cells});
-    counts_[static_cast<std::size_t>(k)] = static_cast<int>(count);
-    per_unit_[k] = count / extent[k];
+  const auto divide = [&](double cells) {
+    const double edge =
+        std::cbrt(extent.x / largest * extent.y / largest * extent.z / largest / cells) * largest;
+    for (int k = 0; k < 3; ++k) {
+      const double count = std::clamp(std::round(extent[k] / edge), 1.0, double{most_cells});
+      counts_[static_cast<std::size_t>(k)] = static_cast<int>(count);
+      per_unit_[k] = count / extent[k];
+    }
+  };
+  // Coarser where boxes overlap so much that each would stand in many cells.
+  const auto number = static_cast<double>(std::max<std::size_t>(1, boxes.size()));
+  double cells = cells_per_box * number;
+  for (divide(cells); entries(boxes) > most_entries_per_box * number && cells > 1.0;) {
+    cells /= 8.0;
+    divide(cells);
   }
   // Two passes: how many boxes each cell has, then which.
   begins_.assign(index({counts_[0] - 1, counts_[1] - 1, counts_[2] - 1}) + 2, 0);
@@ -56,6 +64,16 @@ Grid::Grid(const std::vector<Bounds>& boxes) {
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {
     each_cell(boxes[i], [&](std::size_t cell) { boxes_[filled[cell]++] = i; });
   }
+}
+
+/// In how many cells boxes stand, all together.
+double Grid::entries(const std::vector<Bounds>& boxes) const {
+  double sum = 0.0;
+  for (const Bounds& box : boxes) {
+    const auto [lo, hi] = cells_of(box);
+    sum += (hi[0] - lo[0] + 1.0) * (hi[1] - lo[1] + 1.0) * (hi[2] - lo[2] + 1.0);
+  }
+  return sum;
 }
 
 std::pair<std::array<int, 3>, std::array<int, 3>> Grid::cells_of(const Bounds& box) const {

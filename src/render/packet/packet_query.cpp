@@ -35,7 +35,7 @@ WideHit meet(const RenderPlan& plan, const PlannedInstance& instance, const Pack
     } else {
       return plan.map(instance, 0.0, [&](const auto& map) -> WideHit {
         return {WideMask(false),
-                may_meet(bounds(shape), model_rays(map, packet.ray), t_max,
+                may_meet(model_box_of(plan, instance), model_rays(map, packet.ray), t_max,
                          error_in_model(map, packet)),
                 Wide(0.0), Wide(0.0)};
       });

@@ -223,5 +223,15 @@ TEST(VisibleLight, CastsNoShadow) {
   }
 }
 
+TEST(Absorption, NothingComesThroughAHalfSpaceWithoutEnd) {
+  RenderJob job = before(Rgb(1.0));
+  Material sea = tinted();
+  sea.absorption = {0.5, 0.0, 0.25};
+  add(job, Plane{}, Affine::translation({0, 0, -4}) * Affine::rotation(0, 90), sea);
+  expect_rgb(Probe(job)({0, 0, 0}, ahead), Rgb(0, 1, 0));
+  expect_rgb(Probe(job)({0, 0, -5}, ahead), Rgb(0, 1, 0));  // and from within
+  expect_rgb(Probe(job)({0, 0, 0}, -ahead), Rgb(1.0));
+}
+
 }  // namespace
 }  // namespace rt

@@ -200,5 +200,35 @@ TEST(Motion, KeysAreAsDenseAsATenthOfAPixelAsks) {
   EXPECT_LT(box.hi.x, 0.46);
 }
 
+// Where keys and the middles between them all show the thing as it was.
+TEST(Motion, SixTurnsAreNotTakenForStandingStill) {
+  RenderJob job = head_on(100);
+  Pose to;
+  to.axis = {0, 0, 1};
+  to.degrees = 6 * 360.0;
+  add_moving(job, Box{{0, -0.01, 0}, {0.45, 0.01, 0.01}}, {}, shining(), moving(to));
+  const RenderPlan plan = make_plan(job);
+  const PlannedMotion& motion = plan.placements.motion(plan.instances[0].placement);
+  const Vec3 tip = motion.at(1.0 / 24).render_from_model.point({0.45, 0, 0});
+  EXPECT_NEAR(tip.x, 0.0, 0.1 / 100);
+  EXPECT_NEAR(tip.y, 0.45, 0.1 / 100);
+}
+
+TEST(Motion, TurnsAboutOppositeAxesGoThroughRest) {
+  Pose from;
+  from.axis = {0, 1, 0};
+  from.degrees = 90;
+  Pose to = from;
+  to.axis = {0, -1, 0};
+  for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    Pose expected = from;
+    expected.degrees = 90.0 - 180.0 * share;
+    const Vec3 there = between(from, to, share).affine().point({1, 2, 3});
+    const Vec3 right = expected.affine().point({1, 2, 3});
+    EXPECT_LT(glm::length(there - right), 1e-14)
+        << share << ' ' << there.x << ' ' << there.y << ' ' << there.z << ' ' << right.x << ' ' << right.y << ' ' << right.z;
+  }
+}
+
 }  // namespace
 }  // namespace rt

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "rt/render/accel/box_tree.h"
+#include "rt/render/accel/grid.h"
 #include "rt/render/plan.h"
 #include "scenes.h"
 
@@ -116,6 +117,15 @@ TEST(PlanMemory, APlacementGivesItsMapsBack) {
       EXPECT_EQ(map.render_point({1, 2, 3}), given.render_from_model.point({1, 2, 3}));
     });
   }
+}
+
+// Each of them would stand in a good part of all cells.
+TEST(PlanMemory, OfAGridOfThingsWithinEachOther) {
+  std::vector<Bounds> boxes;
+  for (int i = 1; i <= 20'000; ++i) {
+    boxes.push_back({Vec3(-1e-3 * i), Vec3(1e-3 * i)});
+  }
+  EXPECT_LT(static_cast<double>(Grid(boxes).bytes()) / 20'000, 64 * 4 + 32);
 }
 
 }  // namespace

@@ -18,6 +18,8 @@ namespace rt {
 class Grid {
  public:
   explicit Grid(const std::vector<Bounds>& boxes);
+  /// What it takes.
+  std::size_t bytes() const { return (begins_.size() + boxes_.size()) * sizeof(std::uint32_t); }
 
   /// As BoxTree::walk. A box that spans several cells is visited in each, unless it was the last
   /// one visited.
@@ -77,6 +79,7 @@ class Grid {
                static_cast<std::size_t>(counts_[0]) +
            static_cast<std::size_t>(cell[0]);
   }
+  double entries(const std::vector<Bounds>& boxes) const;
   /// The range of cells that a box is entered into.
   std::pair<std::array<int, 3>, std::array<int, 3>> cells_of(const Bounds& box) const;
 
