@@ -45,7 +45,7 @@ Counts counts_of(const RenderPlan& plan) {
     c.absorbing += m.transmissive && m.absorption != Rgb(0.0) ? 1 : 0;
   }
   for (const PlannedLight& light : plan.lights) {
-    ++(light.radius > 0.0 || light.rectangle ? c.extended : c.points);
+    ++(light.extended() ? c.extended : c.points);
   }
   return c;
 }

@@ -124,10 +124,10 @@ void add_parts(const RenderPlan& plan, const Parts& parts, bool casts, ThinThing
     if (distance > 0.0 && apparent_width(edges, centre / distance) < wide * there) {
       thin.in_sight.add(centre, edges, beam_pixels * there);
     }
-    const auto thin_for = [&, &centre = centre, &edges = edges](const Light& light) {
+    const auto thin_for = [&, &centre = centre, &edges = edges](const PlannedLight& light) {
       const Vec3 way = centre - light.position;
       const double d = glm::length(way);
-      return light.radius == 0.0 && !light.rectangle && d > 0.0 &&
+      return !light.extended() && d > 0.0 &&
              apparent_width(edges, way / d) < wide * farther * there;
     };
     if (casts && std::any_of(plan.lights.begin(), plan.lights.end(), thin_for)) {
@@ -240,7 +240,7 @@ int thin_pilots(const RenderPlan& plan, int x, int y) {
   for (const PlannedLight& light : plan.lights) {
     const Vec3 way = light.position - point.position;
     const double distance = glm::length(way);
-    if (light.radius == 0.0 && !light.rectangle && glm::dot(way, point.normal) > 0.0) {
+    if (!light.extended() && glm::dot(way, point.normal) > 0.0) {
       const Beam beam{{point.position, way / distance}, radius, -radius / distance};
       pilots = std::max(pilots, pilots_for(plan.thin->as_shadows.coverage(beam, distance)));
     }

@@ -157,9 +157,7 @@ TEST_F(Command, SizesThatAFormatCannotHoldAreRefusedBeforeTheRendering) {
 TEST_F(Command, ThreadsAreThoseOfTheProcessorsItMayUse) {
   write("scene.lua", sphere_script());
   const std::string one = "taskset -c \"$(taskset -cp $$ | sed 's/.*[ :]//; s/[-,].*//')\"";
-  if (run("--version", one).exit_code != 0) {
-    GTEST_SKIP() << "no taskset";
-  }
+  ASSERT_EQ(run("--version", one).exit_code, 0) << "taskset (util-linux) is needed";
   EXPECT_EQ(run("scene.lua -q --stats s.json", one).exit_code, 0);
   EXPECT_EQ(nlohmann::json::parse(contents(folder_ / "s.json")).at("threads"), 1);
 }

@@ -4,11 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "rt/render/accel/box_group.h"
+
 namespace rt {
 namespace {
 
 /// Cells a box: between 2 and 5 the time changes little (bench/NOTES.md).
 constexpr double cells_per_box = 3.0;
+/// In so many cells a box may stand, in the mean: 256 bytes.
 constexpr double most_entries_per_box = 64.0;
 constexpr int most_cells = 1 << 10;  ///< along an axis
 constexpr double inf = std::numeric_limits<double>::infinity();
@@ -16,10 +19,7 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 }  // namespace
 
 Grid::Grid(const std::vector<Bounds>& boxes) {
-  Bounds all;
-  for (const Bounds& b : boxes) {
-    all.extend(b);
-  }
+  const Bounds all = all_of(boxes);
   // As near to cubes as whole numbers allow; along an axis without extent one cell, of any size.
   const double largest =
       boxes.empty() || !(max_abs(all.extent()) > 0.0) ? 1.0 : max_abs(all.extent());

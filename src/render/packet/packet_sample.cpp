@@ -1,6 +1,7 @@
 #include "rt/render/packet/packet_sample.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "rt/math/wide_functions.h"
 
@@ -103,7 +104,7 @@ void PacketSampler::take_packet(std::span<const PixelSample> wanted,
   }
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const unsigned good =
-      bits_of(max_abs(sum) < infinity && sum.x == sum.x && sum.y == sum.y && sum.z == sum.z);
+      bits_of(abs(sum.x) < infinity && abs(sum.y) < infinity && abs(sum.z) < infinity);
   each_lane(camera.active & ~good, [&](int i) {
     const auto at = static_cast<std::size_t>(i);
     statistics.add_bad(wanted[at].x, wanted[at].y);
