@@ -1,42 +1,34 @@
 #include "rt/math/srgb.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 
 namespace rt {
 namespace {
 
-/// Nodes are even in the square root of the value, where the curve is nearly straight.
-constexpr int intervals = 1024;
-
-std::array<float, intervals + 1> make_table() {
-  std::array<float, intervals + 1> table{};
-  for (int i = 0; i <= intervals; ++i) {
-    const double root = i / double{intervals};
+SrgbTable make_table() {
+  SrgbTable table{};
+  for (int i = 0; i <= srgb_intervals; ++i) {
+    const double root = i / double{srgb_intervals};
     table[static_cast<std::size_t>(i)] = static_cast<float>(srgb_oetf(root * root));
   }
+  table.back() = 1.0F;
   return table;
 }
 
-const std::array<float, intervals + 1> table = make_table();
-
 }  // namespace
+
+const SrgbTable srgb_table = make_table();
 
 double srgb_oetf(double linear) {
   return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
 }
 
 double srgb_displayed(double linear) {
-  if (!(linear > 0.0)) {
-    return 0.0;
-  }
-  if (linear >= 1.0) {
-    return 1.0;
-  }
-  const double position = intervals * std::sqrt(linear);
+  const double position = srgb_intervals * std::sqrt(linear > 0.0 ? std::min(linear, 1.0) : 0.0);
   const auto i = static_cast<std::size_t>(position);
-  const double fraction = position - static_cast<double>(i);
-  return table[i] + fraction * (double{table[i + 1]} - table[i]);
+  const double low = double{srgb_table[i]};
+  return low + (position - static_cast<double>(i)) * (double{srgb_table[i + 1]} - low);
 }
 
 }  // namespace rt

@@ -1,39 +1,55 @@
 #include "rt/render/adaptive.h"
 
-#include "rt/render/thin.h"
-
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <span>
+
+#include "rt/math/wide.h"
+#include "rt/render/thin.h"
 
 namespace rt {
 namespace {
 
 /// The claimed error is so many standard deviations: chosen such that 95% of true errors lie below
 /// 1.5 times the claim (bench/results/calibration.md).
-constexpr double claim = 1.45;
+constexpr double claim = 1.3;
 
-/// What an estimate made before the last doubling still counts against the newest evidence.
-constexpr double memory = 1.0;
+/// What the estimate before a doubling counts against each of the two that come with it.
+constexpr double memory = 2.0;
 
 constexpr double max_exponent = 1.5;
 
-/// Counts the next samples in; there are to be `count` of them: above 4 so many as before, or
-/// twice.
+/// What a neighbour's sample counts for the contrast when it lies in a quadrant that does not touch
+/// the pixel; others count 1.
+constexpr double far_weight = 0.125;
+
+/// The contrast, of few samples, counts so many times.
+constexpr double caution = 2.0;
+
+/// n^-max_exponent.
+double fastest(double n) { return 1.0 / (n * std::sqrt(n)); }
+
+/// Counts the next samples in; there are to be `count` of them: from 4 on twice as many as
+/// before.
 void count_in(PixelEstimate& e, std::span<const std::optional<Rgb>> values, std::uint32_t count) {
   if (e.count >= 4) {
     e.quarters = {e.quarters[0] + e.quarters[1], e.quarters[2] + e.quarters[3], Rgb(0.0), Rgb(0.0)};
   }
   const std::uint32_t quarter = std::max(count / 4, 1u);
-  for (const auto& value : values) {
-    if (value) {
-      e.quarters[e.count / quarter] += *value;
-      e.squares += *value * *value;
-    } else {
-      ++e.bad;
+  for (std::uint32_t q = e.count / quarter; !values.empty(); ++q) {
+    const auto next = values.first(std::min<std::size_t>(quarter, values.size()));
+    for (const auto& value : next) {
+      if (value) {
+        e.quarters[q] += *value;
+        e.squares += *value * *value;
+      } else {
+        ++e.bad;
+      }
     }
-    ++e.count;
+    e.count += static_cast<std::uint32_t>(next.size());
+    values = values.subspan(next.size());
   }
 }
 
@@ -54,33 +70,20 @@ void grow(PixelSampler& sampler, PixelEstimate& e, int x, int y, std::uint32_t c
   count_in(e, values, count);
 }
 
-/// The first samples of pixels that lie side by side, so that neighbours fill packets together.
-void begin_row(PixelSampler& sampler, std::span<PixelEstimate> row, int x, int y,
-               std::uint32_t count, RenderStatistics& statistics) {
-  std::vector<PixelSample> wanted;
-  wanted.reserve(row.size() * count);
-  for (std::size_t k = 0; k < row.size(); ++k) {
-    append_samples(wanted, x + static_cast<int>(k), y, 0, count);
-  }
-  std::vector<std::optional<Rgb>> values(wanted.size());
-  sampler.take_all(wanted, values, statistics);
-  for (std::size_t k = 0; k < row.size(); ++k) {
-    count_in(row[k], std::span(values).subspan(k * count, count), count);
-  }
+/// The variance of one sample, from those taken.
+Rgb variance_of_samples(const PixelEstimate& e) {
+  const Rgb mean = e.mean();
+  return glm::max(e.squares / std::max(1.0 * (e.count - e.bad), 1.0) - mean * mean, Rgb(0.0));
 }
 
 /// How fast the variance of the mean has fallen, from one sample to half of those taken by now.
-double observed_exponent(const PixelEstimate& e) {
-  const double before = 0.5 * e.count;
-  const Rgb mean = e.mean();
-  const Rgb sample =
-      glm::max(e.squares / std::max(1.0 * (e.count - e.bad), 1.0) - mean * mean, Rgb(0.0));
+double observed_exponent(const PixelEstimate& e, const Rgb& sample) {
   const double of_samples = sample.r + sample.g + sample.b;
   const double of_mean = e.variance.r + e.variance.g + e.variance.b;
   if (!(of_samples > 0.0 && of_mean > 0.0)) {
     return max_exponent;
   }
-  return std::clamp(std::log(of_samples / of_mean) / std::log(before), 1.0, max_exponent);
+  return std::clamp(std::log2(of_samples / of_mean) / std::log2(0.5 * e.count), 1.0, max_exponent);
 }
 
 void set_error(PixelEstimate& e, Encoding encoding) {
@@ -98,86 +101,213 @@ void double_samples(PixelSampler& sampler, std::span<PixelEstimate* const> pixel
     const std::uint32_t more = e->count;
     count_in(*e, rest.first(more), 2 * more);
     rest = rest.subspan(more);
-    const double rate = observed_exponent(*e);
-    const Rgb expected = std::pow(0.5, rate) * e->variance;
-    e->variance = (variance_of_quarters(*e, rate) + memory * expected) / (1.0 + memory);
+    const Rgb sample = variance_of_samples(*e);
+    const double rate = observed_exponent(*e, sample);
+    const double between = 0.5 * (rate + max_exponent);
+    e->variance = (memory * std::exp2(-rate) * e->variance + variance_of_quarters(*e, rate) +
+                   std::exp2(-between * std::log2(e->count)) * sample) /
+                  (memory + 2.0);
     set_error(*e, encoding);
   }
 }
 
+/// The first samples of a row of pixels, by the quadrant of the pixel in which they lie; not every
+/// quadrant has one.
+class PilotRow {
+ public:
+  // The last pixels are read by as many as a register holds.
+  explicit PilotRow(std::size_t pixels) : stride_(pixels + lanes), values_(16 * stride_) {}
+
+  void set(std::size_t pixel, std::span<const std::optional<Rgb>> values,
+           std::span<const std::uint8_t> quadrants) {
+    for (int q = 0; q < 4; ++q) {
+      put(q, pixel, Rgb(0.0), 0.0);
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (values[i]) {
+        put(quadrants[i], pixel, *values[i], 1.0);
+      }
+    }
+  }
+
+  /// Channel c of a quadrant of so many pixels from `pixel` on, or (c = 3) 1 where there is a
+  /// sample; 0 where there is none. Bit 0 of a quadrant says right, bit 1 bottom.
+  Wide get(int quadrant, int c, std::size_t pixel) const {
+    return Wide(&values_[index(quadrant, c) + pixel], stdx::element_aligned);
+  }
+
+ private:
+  std::size_t index(int quadrant, int c) const {
+    return static_cast<std::size_t>(4 * quadrant + c) * stride_;
+  }
+  void put(int quadrant, std::size_t pixel, const Rgb& value, double there) {
+    for (int c = 0; c < 3; ++c) {
+      values_[index(quadrant, c) + pixel] = value[c];
+    }
+    values_[index(quadrant, 3) + pixel] = there;
+  }
+
+  std::size_t stride_;
+  std::vector<double> values_;  ///< by quadrant, channel, pixel
+};
+
+/// Sums over the quadrants of three by three pixels: the pixel in the middle, the quadrants that
+/// touch it and itself, and those beyond.
+struct QuadrantSums {
+  Wide own{0.0}, near{0.0}, far{0.0};
+
+  /// Of f(value) over channel c; the middle pixels are those from `pixel` on.
+  template <class F>
+  static QuadrantSums of(const std::array<const PilotRow*, 3>& rows, std::size_t pixel, int c,
+                         F&& f) {
+    QuadrantSums sums;
+    for (int j = 0; j < 6; ++j) {
+      for (int i = 0; i < 6; ++i) {
+        const Wide v = f(rows[static_cast<std::size_t>(j / 2)]->get(
+            2 * (j % 2) + i % 2, c, pixel + static_cast<std::size_t>(i / 2) - 1));
+        if (j == 0 || j == 5 || i == 0 || i == 5) {
+          sums.far += v;
+        } else {
+          sums.near += v;
+        }
+        if (j / 2 == 1 && i / 2 == 1) {
+          sums.own += v;
+        }
+      }
+    }
+    return sums;
+  }
+  Wide weighted() const { return near + far_weight * far; }
+};
+
+struct Contrast {
+  Wide3 mean;      ///< of the pixels' own first samples
+  Wide3 variance;  ///< of the samples about them
+};
+
+Contrast contrast_about(const std::array<const PilotRow*, 3>& rows, std::size_t pixel) {
+  const auto itself = [](const Wide& v) { return v; };
+  const QuadrantSums number = QuadrantSums::of(rows, pixel, 3, itself);
+  const Wide weight = max(number.weighted(), Wide(far_weight));  // there may be none
+  const auto channel = [&](int c, Wide& mean, Wide& variance) {
+    const QuadrantSums sums = QuadrantSums::of(rows, pixel, c, itself);
+    const QuadrantSums squares =
+        QuadrantSums::of(rows, pixel, c, [](const Wide& v) { return v * v; });
+    const Wide about = sums.weighted() / weight;
+    mean = sums.own / max(number.own, Wide(1.0));
+    variance = max(squares.weighted() / weight - about * about, Wide(0.0));
+  };
+  Contrast out;
+  channel(0, out.mean.x, out.variance.x);
+  channel(1, out.mean.y, out.variance.y);
+  channel(2, out.mean.z, out.variance.z);
+  return out;
+}
+
 }  // namespace
+
+/// Estimates a row's errors from the first samples of it and of the rows about.
+class AdaptiveTile::RowEstimate {
+ public:
+  RowEstimate(std::span<PixelEstimate> row, Encoding encoding) : row_(row), encoding_(encoding) {}
+
+  void from(const std::array<const PilotRow*, 3>& rows, std::uint32_t pilots) {
+    const double of_pilots = caution * fastest(pilots);
+    for (std::size_t x = 0; x < row_.size(); x += lanes) {
+      const Contrast contrast = contrast_about(rows, x + 1);
+      const Wide3 variance = of_pilots * contrast.variance;
+      const Wide error = displayed_error(
+          contrast.mean, claim * Wide3(sqrt(variance.x), sqrt(variance.y), sqrt(variance.z)),
+          encoding_);
+      for (std::size_t i = 0; i < lanes && x + i < row_.size(); ++i) {
+        row_[x + i].variance = variance.lane(static_cast<int>(i));
+        row_[x + i].error = static_cast<float>(error[i]);
+      }
+    }
+    for (PixelEstimate& e : row_) {
+      if (e.count > pilots) {
+        // So many pilots for the sake of something thin: their own scatter is evidence, too.
+        e.variance = (fastest(e.count) * (e.variance / of_pilots + variance_of_samples(e)) +
+                      variance_of_quarters(e, 0.5 * (1.0 + max_exponent))) /
+                     3.0;
+      }
+      if (e.count > pilots) {
+        set_error(e, encoding_);
+      }
+    }
+  }
+
+ private:
+  std::span<PixelEstimate> row_;
+  Encoding encoding_;
+};
 
 void AdaptiveTile::pilots(PixelSampler& sampler, const Deadline& deadline,
                           RenderStatistics& statistics) {
-  pixels_.assign(
-      static_cast<std::size_t>(area_.width + 2) * static_cast<std::size_t>(area_.height + 2), {});
+  const auto width = static_cast<std::size_t>(area_.width);
+  pixels_.reserve(width * static_cast<std::size_t>(area_.height));
   const RenderPlan& plan = sampler.plan();
-  const auto most = static_cast<std::uint32_t>(plan.options.max_samples);
-  const std::uint32_t first = std::min(pilot_samples, most);
-  const int right = area_.x + area_.width;
+  const std::uint32_t first =
+      std::min(pilot_samples, static_cast<std::uint32_t>(plan.options.max_samples));
+  RenderStatistics counted;
+  std::array<PilotRow, 3> rows{PilotRow(width + 2), PilotRow(width + 2), PilotRow(width + 2)};
+  const auto row_of = [&](int y) -> PilotRow& {
+    return rows[static_cast<std::size_t>(y - area_.y + 1) % 3];
+  };
+  std::vector<PixelSample> wanted;
+  std::vector<std::optional<Rgb>> values((width + 2) * first);
+  std::vector<std::uint8_t> quadrants(values.size());
   const int bottom = area_.y + area_.height;
-  RenderStatistics within;
-  RenderStatistics outside;
   for (int y = area_.y - 1; y <= bottom; ++y) {
     if (deadline.told()) {
       release();
       return;
     }
-    const bool row_inside = y >= area_.y && y < bottom;
-    const std::span row(&pixels_[index(area_.x - 1, y)], static_cast<std::size_t>(area_.width + 2));
-    begin_row(sampler, row.first(1), area_.x - 1, y, first, outside);
-    begin_row(sampler, row.subspan(1, row.size() - 2), area_.x, y, first,
-              row_inside ? within : outside);
-    begin_row(sampler, row.last(1), right, y, first, outside);
-    for (int x = area_.x - 1; x <= right; ++x) {
-      const bool inside = row_inside && x >= area_.x && x < right;
-      RenderStatistics& counts = inside ? within : outside;
-      PixelEstimate& e = pixels_[index(x, y)];
-      const int wanted = plan.thin ? thin_pilots(plan, x, y) : 0;
-      while (static_cast<int>(e.count) < wanted && 2 * e.count <= most) {
-        grow(sampler, e, x, y, 2 * e.count, counts);
-      }
-      e.pilots = e.count;
+    wanted.clear();
+    for (int x = area_.x - 1; x <= area_.x + area_.width; ++x) {
+      append_samples(wanted, x, y, 0, first);
+    }
+    RenderStatistics of_row;
+    sampler.take_all(wanted, values, of_row, quadrants);
+    of_row.bad_samples = 0;  // begin_row() counts those of the tile itself
+    counted += of_row;
+    PilotRow& pilots = row_of(y);
+    for (std::size_t k = 0; k < width + 2; ++k) {
+      pilots.set(k, std::span(values).subspan(k * first, first),
+                 std::span(quadrants).subspan(k * first, first));
+    }
+    if (y >= area_.y && y < bottom) {
+      begin_row(sampler, y, std::span(values).subspan(first, width * first), counted);
+    }
+    if (y > area_.y) {
+      RowEstimate({&pixels_[index(area_.x, y - 1)], width}, plan.options.encoding)
+          .from({&row_of(y - 2), &row_of(y - 1), &row_of(y)}, first);
     }
   }
-  outside.bad_samples = 0;  // they count in the tile that they belong to
-  statistics += within;
-  statistics += outside;
-  estimate_from_contrast(plan);
+  statistics += counted;
 }
 
-// Each pixel's share is formed once, for the nine that it counts for.
-void AdaptiveTile::estimate_from_contrast(const RenderPlan& plan) {
-  struct Share {
-    Rgb mean, square;
-  };
-  std::vector<Share> shares;
-  shares.reserve(pixels_.size());
-  for (const PixelEstimate& e : pixels_) {
-    shares.push_back({e.mean() / 9.0, e.squares / (9.0 * std::max(e.count - e.bad, 1u))});
-  }
+/// A row's pixels, from `values`, the first samples of each.
+void AdaptiveTile::begin_row(PixelSampler& sampler, int y,
+                             std::span<const std::optional<Rgb>> values,
+                             RenderStatistics& statistics) {
+  const RenderPlan& plan = sampler.plan();
   const auto most = static_cast<std::uint32_t>(plan.options.max_samples);
-  const double of_pilots = std::pow(std::min(pilot_samples, most), -max_exponent);
-  for (int y = area_.y; y < area_.y + area_.height; ++y) {
-    for (int x = area_.x; x < area_.x + area_.width; ++x) {
-      Rgb mean(0.0);
-      Rgb square(0.0);
-      for (int j = y - 1; j <= y + 1; ++j) {
-        for (int i = x - 1; i <= x + 1; ++i) {
-          mean += shares[index(i, j)].mean;
-          square += shares[index(i, j)].square;
-        }
+  const std::size_t first = values.size() / static_cast<std::size_t>(area_.width);
+  for (int x = area_.x; x < area_.x + area_.width; ++x) {
+    PixelEstimate& e = pixels_.emplace_back();
+    for (const auto& value : values.first(first)) {
+      if (!value) {
+        statistics.add_bad(x, y);
       }
-      PixelEstimate& e = pixels_[index(x, y)];
-      const Rgb contrast = glm::max(square - mean * mean, Rgb(0.0));
-      e.variance = contrast * of_pilots;
-      if (e.count > pilot_samples) {
-        // So many pilots for the sake of something thin: their own scatter is evidence, too.
-        e.variance = contrast * std::pow(e.count, -max_exponent);
-        e.variance = 0.5 * (e.variance + variance_of_quarters(e, 0.5 * (1.0 + max_exponent)));
-      }
-      set_error(e, plan.options.encoding);
     }
+    count_in(e, values.first(first), static_cast<std::uint32_t>(first));
+    values = values.subspan(first);
+    const int wanted = plan.thin ? thin_pilots(plan, x, y) : 0;
+    while (static_cast<int>(e.count) < wanted && 2 * e.count <= most) {
+      grow(sampler, e, x, y, 2 * e.count, statistics);
+    }
+    e.pilots = e.count;
   }
 }
 
@@ -218,24 +348,19 @@ bool AdaptiveTile::refine(PixelSampler& sampler, double target, const Deadline& 
 }
 
 void AdaptiveTile::save(ByteWriter& out) const {
-  for (int y = area_.y; y < area_.y + area_.height; ++y) {
-    out.list(std::span(&at(area_.x, y), static_cast<std::size_t>(area_.width)));
-  }
+  out.list(std::span(pixels_));
 }
 
 void AdaptiveTile::load(ByteReader& in, std::uint32_t most) {
-  pixels_.assign(
-      static_cast<std::size_t>(area_.width + 2) * static_cast<std::size_t>(area_.height + 2), {});
-  for (int y = area_.y; y < area_.y + area_.height; ++y) {
-    const std::span row(&pixels_[index(area_.x, y)], static_cast<std::size_t>(area_.width));
-    in.list(row);
-    for (const PixelEstimate& e : row) {
-      const std::uint32_t doublings = e.count / std::min(pilot_samples, most);
-      const bool regular =
-          std::has_single_bit(doublings) && doublings * std::min(pilot_samples, most) == e.count;
-      if (!regular || e.count > most || e.pilots > e.count || e.bad > e.count) {
-        throw std::out_of_range("no pixel");
-      }
+  pixels_.assign(static_cast<std::size_t>(area_.width) * static_cast<std::size_t>(area_.height),
+                 {});
+  in.list(std::span(pixels_));
+  for (const PixelEstimate& e : pixels_) {
+    const std::uint32_t doublings = e.count / std::min(pilot_samples, most);
+    const bool regular =
+        std::has_single_bit(doublings) && doublings * std::min(pilot_samples, most) == e.count;
+    if (!regular || e.count > most || e.pilots > e.count || e.bad > e.count) {
+      throw std::out_of_range("no pixel");
     }
   }
 }

@@ -34,7 +34,7 @@ std::optional<Rgb> area_light(const RenderPlan& plan, std::size_t index, const S
                               const Sampler& sampler, const Vertex& vertex, double negligible,
                               ShadowCache& cache, RayCounts& counts) {
   const PlannedLight& light = plan.lights[index];
-  const Candidates candidates = cache.towards(index, point.position, true);
+  const Candidates candidates = cache.towards(index, cache.cell_of(point.position), true);
   if (!candidates.known) {
     return std::nullopt;
   }

@@ -156,7 +156,8 @@ Rgb direct_light(const RenderPlan& plan, std::size_t index, const std::optional<
   ++counts.shadow;
   const double reach = free_distance(point, light, s.distance);
   const auto share =
-      visibility(plan, cache.towards(index, point.position), point, s.direction, reach, counts);
+      visibility(plan, cache.towards(index, cache.cell_of(point.position)), point, s.direction,
+                 reach, counts);
   return share ? value * *share : Rgb(0.0);
 }
 

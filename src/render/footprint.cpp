@@ -36,14 +36,13 @@ double sample_spacing(const RenderOptions& options) {
   if (options.aa == AntiAliasing::corners) {
     return 1.0;
   }
-  // All samples of an adaptive pixel share one width, that of its first samples at most. What a
-  // filter blurs no further sample sharpens and no estimate sees, so it must stay well below
-  // max_error. It grows with the width's square: on a checker of full contrast, half a pixel puts a
-  // pixel in twenty off by 0.045 (bench/NOTES.md). Narrowed until that is a third of max_error.
+  // All samples of an adaptive pixel share one width, that of four at most. What a filter blurs no
+  // further sample sharpens and no estimate sees, so it must stay well below max_error. It grows
+  // with the width's square: on a checker of full contrast, half a pixel puts a pixel in twenty off
+  // by 0.045 (bench/NOTES.md). Narrowed until that is a third of max_error.
   constexpr double off_at_half = 0.045;
   const double narrow = 0.5 * std::sqrt(options.max_error / (3.0 * off_at_half));
-  const double pilots = std::min(static_cast<int>(pilot_samples), options.max_samples);
-  return std::min(1.0 / std::sqrt(pilots), narrow);
+  return std::min(1.0 / std::sqrt(std::min(4.0, 1.0 * options.max_samples)), narrow);
 }
 
 RayDifferential camera_differential(const CameraFrame& camera, const RenderOptions& options,

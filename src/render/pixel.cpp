@@ -26,6 +26,7 @@ bool uniform_row(PixelSampler& sampler, int x, int y, int count, std::span<Rgb> 
   std::vector<int> good(row.size());
   std::ranges::fill(row, Rgb(0.0));
   const std::int64_t all = pixels * count;
+  PixelSample next{x, y, 0};
   for (std::int64_t begin = 0; begin < all; begin += at_once) {
     if (deadline.told()) {
       return false;
@@ -33,7 +34,10 @@ bool uniform_row(PixelSampler& sampler, int x, int y, int count, std::span<Rgb> 
     wanted.clear();
     const std::int64_t end = std::min(all, begin + at_once);
     for (std::int64_t i = begin; i < end; ++i) {
-      wanted.push_back({x + static_cast<int>(i / count), y, static_cast<std::uint32_t>(i % count)});
+      wanted.push_back(next);
+      if (++next.index == static_cast<std::uint32_t>(count)) {
+        next = {next.x + 1, y, 0};
+      }
     }
     sampler.take_all(wanted, values, statistics);
     for (std::size_t i = 0; i < wanted.size(); ++i) {

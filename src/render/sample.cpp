@@ -74,9 +74,10 @@ std::optional<Rgb> PixelSampler::take(int x, int y, const Sampler& sample,
 }
 
 void PixelSampler::take_all(std::span<const PixelSample> wanted,
-                            std::span<std::optional<Rgb>> values, RenderStatistics& statistics) {
+                            std::span<std::optional<Rgb>> values, RenderStatistics& statistics,
+                            std::span<std::uint8_t> quadrants) {
   if (packets_) {
-    packets_->take(wanted, values, statistics, sight_);
+    packets_->take(wanted, values, statistics, quadrants, sight_);
     return;
   }
   for (std::size_t i = 0; i < wanted.size(); ++i) {
@@ -84,6 +85,10 @@ void PixelSampler::take_all(std::span<const PixelSample> wanted,
     const Sampler sampler(tracer_.plan().options.seed, s.x, s.y, s.index);
     values[i] = s.at_centre ? take_at(s.x, s.y, Vec2(0.5), sampler, statistics)
                             : take(s.x, s.y, sampler, statistics);
+    if (!quadrants.empty()) {
+      const Vec2 u = sampler.pixel();
+      quadrants[i] = static_cast<std::uint8_t>((u.x >= 0.5 ? 1 : 0) + (u.y >= 0.5 ? 2 : 0));
+    }
   }
 }
 

@@ -16,7 +16,6 @@ class WideSampler {
   void set(int lane, std::uint64_t seed, int x, int y, std::uint32_t index) {
     const auto i = static_cast<std::size_t>(lane);
     const bool again = i > 0 && x == x_ && y == y_;
-    one_pixel_ = i == 0 || (one_pixel_ && again);
     keys_[i] = again ? keys_[i - 1] : Sampler::key_of(seed, x, y);
     x_ = x;
     y_ = y;
@@ -37,19 +36,13 @@ class WideSampler {
   using Words = stdx::rebind_simd_t<std::uint32_t, Wide>;
   using Keys = std::array<std::uint64_t, lanes>;
 
-  /// f(key) in every lane; once where all are of one pixel.
-  template <class F>
-  Keys each_key(const Keys& keys, F f) const {
+  /// Once for lanes side by side of one pixel.
+  static Keys mixed(const Keys& keys, std::uint64_t multiple) {
     Keys out;
-    const std::uint64_t first = f(keys[0]);
-    out.fill(first);
-    for (std::size_t i = 1; i < lanes && !one_pixel_; ++i) {
-      out[i] = f(keys[i]);
+    for (std::size_t i = 0; i < lanes; ++i) {
+      out[i] = i > 0 && keys[i] == keys[i - 1] ? out[i - 1] : mix64(keys[i] + multiple * golden64);
     }
     return out;
-  }
-  Keys mixed(const Keys& keys, std::uint64_t multiple) const {
-    return each_key(keys, [&](std::uint64_t key) { return mix64(key + multiple * golden64); });
   }
 
   static Words reverse(const Words& x) {
@@ -81,7 +74,6 @@ class WideSampler {
   Keys keys_{};
   std::array<std::uint32_t, lanes> indices_{};
   Words points_{0u};
-  bool one_pixel_ = false;
   int x_ = 0, y_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <chrono>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "rt/math/bytes.h"
@@ -12,8 +13,9 @@
 
 namespace rt {
 
-/// First samples of every pixel. With the neighbours' 36 samples tell an even region from an edge.
-inline constexpr std::uint32_t pilot_samples = 4;
+/// First samples of every pixel. With the neighbours' 16 they tell an even region from an edge
+/// (bench/NOTES.md).
+inline constexpr std::uint32_t pilot_samples = 2;
 
 /// When to stop before the error is reached: at a time, or when told to.
 class Deadline {
@@ -59,12 +61,14 @@ class AdaptiveTile {
 
  private:
   std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>((y - area_.y + 1) * (area_.width + 2) + (x - area_.x + 1));
+    return static_cast<std::size_t>((y - area_.y) * area_.width + (x - area_.x));
   }
-  void estimate_from_contrast(const RenderPlan& plan);
+  class RowEstimate;
+  void begin_row(PixelSampler& sampler, int y, std::span<const std::optional<Rgb>> values,
+                 RenderStatistics& statistics);
 
   Crop area_;
-  std::vector<PixelEstimate> pixels_;  ///< row by row, with a border of one pixel
+  std::vector<PixelEstimate> pixels_;  ///< row by row
 };
 
 }  // namespace rt

@@ -5,23 +5,27 @@
 /// errs by far less than sigma / sqrt(n). Two things are known instead.
 ///  - The *quarters*: each aligned quarter of a net is a net of its own, scrambled differently. The
 ///    four means scatter as the error of n/4 samples does; the whole errs less by a known rate.
-///  - The *contrast*: the variance of all pilot samples of the 3x3 pixels about, which also sees
-///    what the pixel's own few samples missed.
+///  - The *contrast*: the variance of the first samples of the 3x3 pixels about, which also sees
+///    what the pixel's own few missed. Each lies in a quadrant of its pixel; those in the twelve
+///    quadrants that touch the pixel count like its own, those beyond an eighth of that: what lies
+///    there only seldom reaches the pixel.
 /// Both are extrapolated to n samples as n^-p. An edge in the pixel's two dimensions alone has
 /// p = 3/2; the more dimensions and detail, the nearer to 1, the rate of independent samples (see
 /// tests/convergence). p is taken from the samples: how much less their mean varies than they do.
-/// Four quarters are few: every doubling averages the new evidence with what was estimated before.
+/// Four quarters are few: every doubling takes the mean of three estimates, the one before, the
+/// quarters', and one from the variance of all samples, p midway to that of an edge.
 #include <array>
 #include <cstdint>
 
 #include "rt/math/vec.h"
+#include "rt/math/wide.h"
 #include "rt/scene/options.h"
 
 namespace rt {
 
 struct PixelEstimate {
   std::array<Rgb, 4> quarters{};  ///< sums over quarters of the samples, once there are 4
-  Rgb squares{0.0};               ///< sum of squares over the pilots
+  Rgb squares{0.0};               ///< sum of squares over the samples
   Rgb variance{0.0};              ///< of the mean, as estimated
   float error = 0.0F;             ///< in displayed units
   std::uint32_t count = 0;
@@ -39,5 +43,7 @@ Rgb variance_of_quarters(const PixelEstimate& e, double exponent);
 /// Half of what the screen shows between mean - s and mean + s, so that what is clipped there does
 /// not count.
 double displayed_error(const Rgb& mean, const Rgb& s, Encoding encoding);
+/// The same for several.
+Wide displayed_error(const Wide3& mean, const Wide3& s, Encoding encoding);
 
 }  // namespace rt

@@ -41,9 +41,10 @@ class PixelSampler {
                              RenderStatistics& statistics);
 
   /// Those samples, as take() would; several at a time where the scene allows. Neighbours should be
-  /// next to each other.
+  /// next to each other. If asked, says in which quadrant of its pixel each lies that is not at its
+  /// centre: bit 0 is set on the right, bit 1 at the bottom.
   void take_all(std::span<const PixelSample> wanted, std::span<std::optional<Rgb>> values,
-                RenderStatistics& statistics);
+                RenderStatistics& statistics, std::span<std::uint8_t> quadrants = {});
 
  private:
   Tracer tracer_;

@@ -15,7 +15,17 @@ namespace {
 constexpr double cell_pixels = 16.0;
 /// A cell's three indices take 12 bits each of its key.
 constexpr int index_bits = 12;
+constexpr std::int64_t middle = 1 << (index_bits - 1);
 constexpr int finest = index_bits - 2;
+/// Then come 11 bits of an exponent, such that neither an edge nor its inverse is beyond a double.
+constexpr int cell_bits = 3 * index_bits + 11;
+constexpr std::uint64_t least_exponent = 64;
+constexpr std::uint64_t most_exponent = 2046 - 64;
+constexpr std::size_t most_light = (1U << (64 - cell_bits)) - 1U;
+
+/// A positive double's exponent as it is stored, and the power of two that has it.
+std::uint64_t exponent_of(double v) { return std::bit_cast<std::uint64_t>(v) >> 52U; }
+double with_exponent(std::uint64_t exponent) { return std::bit_cast<double>(exponent << 52U); }
 
 int fineness_of(const RenderPlan& plan) {
   const double pixel = 2.0 * glm::length(plan.camera.down) / plan.options.height;
@@ -44,11 +54,6 @@ std::pair<double, double> heights(const Affine& model_from_render, const Bounds&
   return {centre - reach, centre + reach};
 }
 
-bool holds(const Bounds& cell, const Vec3& p) {
-  return p.x >= cell.lo.x && p.x < cell.hi.x && p.y >= cell.lo.y && p.y < cell.hi.y &&
-         p.z >= cell.lo.z && p.z < cell.hi.z;
-}
-
 /// Whether a plane may cross the shaft.
 bool crosses(const RenderPlan& plan, const PlannedInstance& plane, const Shaft& shaft) {
   if (plane.moves() || !plane.is<Plane>()) {
@@ -72,25 +77,43 @@ ShadowCache::ShadowCache(const RenderPlan& plan) : plan_(plan), fineness_(finene
   }
 }
 
-ShadowCache::Cell ShadowCache::cell_of(std::size_t light, const Vec3& position) const {
-  constexpr std::uint64_t far = 2046;
-  const std::uint64_t exponent = std::bit_cast<std::uint64_t>(max_abs(position)) >> 52U;
-  if (light >= 0xffff || exponent < 64 || exponent > far - 64) {
-    return {};
+ShadowCache::Cell ShadowCache::cell_of(const Vec3& position) const {
+  const std::uint64_t exponent = exponent_of(max_abs(position));
+  if (exponent < least_exponent || exponent > most_exponent) {
+    return nowhere;
   }
-  const auto fineness = static_cast<std::uint64_t>(fineness_);
-  const auto scale = std::bit_cast<double>((far - exponent + fineness) << 52U);
-  const auto edge = std::bit_cast<double>((exponent - fineness) << 52U);  // exactly its inverse
-  const Vec3 index = glm::floor(position * scale);
-  Cell cell;
-  cell.key = 1U + light;
-  cell.key = cell.key << 11U | exponent;
+  const auto scale = with_exponent(2046 - exponent + static_cast<std::uint64_t>(fineness_));
+  Cell cell = exponent;
   for (int k = 0; k < 3; ++k) {
-    const auto place = static_cast<std::int64_t>(index[k]) + (1 << (index_bits - 1));
-    cell.key = cell.key << index_bits | static_cast<std::uint64_t>(place);
+    const auto place = static_cast<std::int64_t>(std::floor(position[k] * scale)) + middle;
+    cell = cell << index_bits | static_cast<std::uint64_t>(place);
   }
-  cell.bounds = {index * edge, (index + 1.0) * edge};
   return cell;
+}
+
+Wide ShadowCache::cells_of(const Wide3& positions) const {
+  using Words = stdx::rebind_simd_t<std::uint64_t, Wide>;
+  const Words exponents = std::bit_cast<Words>(max_abs(positions)) >> 52;
+  const Wide exponent = stdx::static_simd_cast<Wide>(exponents);
+  const Wide scale =
+      std::bit_cast<Wide>((Words(2046 + static_cast<std::uint64_t>(fineness_)) - exponents) << 52);
+  const auto append = [&](const Wide& cell, const Wide& position) {
+    return cell * (2.0 * middle) + (stdx::floor(position * scale) + 1.0 * middle);
+  };
+  const Wide cell = append(append(append(exponent, positions.x), positions.y), positions.z);
+  return select(exponent >= 1.0 * least_exponent && exponent <= 1.0 * most_exponent, cell,
+                Wide(1.0 * nowhere));
+}
+
+Bounds ShadowCache::bounds_of(Cell cell) const {
+  const double edge =
+      with_exponent((cell >> (3 * index_bits)) - static_cast<std::uint64_t>(fineness_));
+  Vec3 place;
+  for (int k = 2; k >= 0; --k) {
+    place[k] = static_cast<double>(static_cast<std::int64_t>(cell & (2 * middle - 1)) - middle);
+    cell >>= index_bits;
+  }
+  return {place * edge, (place + 1.0) * edge};
 }
 
 bool ShadowCache::add(Entry& entry, std::uint32_t instance) const {
@@ -107,8 +130,8 @@ bool ShadowCache::add(Entry& entry, std::uint32_t instance) const {
   return true;
 }
 
-void ShadowCache::fill(Entry& entry, const Bounds& cell, std::size_t light) const {
-  const Shaft shaft{cell, lights_[light]};
+void ShadowCache::fill(Entry& entry, Cell cell, std::size_t light) const {
+  const Shaft shaft{bounds_of(cell), lights_[light]};
   entry.state = State::known;
   for (const std::uint32_t id : plan_.unbounded) {
     if (crosses(plan_, plan_.instances[id], shaft) && !add(entry, id)) {
@@ -129,34 +152,27 @@ void ShadowCache::fill(Entry& entry, const Bounds& cell, std::size_t light) cons
   }
 }
 
-Candidates ShadowCache::towards(std::size_t light, const Vec3& position, bool at_once,
-                                Bounds* cell_bounds) {
-  if (table_.empty()) {
+Candidates ShadowCache::towards(std::size_t light, Cell cell, bool at_once) {
+  if (table_.empty() || cell == nowhere || light > most_light) {
     return {};
   }
+  const std::uint64_t key = light << cell_bits | cell;
   Last& last = last_[light];
-  if (last.entry == nullptr || last.entry->key != last.cell.key ||
-      !holds(last.cell.bounds, position)) {
-    last = {cell_of(light, position), nullptr};
-    if (last.cell.key == 0) {
-      return {};
-    }
+  if (last.entry == nullptr || last.key != key || last.entry->key != key) {
+    last = {key, nullptr};
     // Fibonacci hashing (Knuth, TAOCP 3, 6.4): the upper bits of a product with 2^64 / phi.
-    Entry& entry = table_[(last.cell.key * 0x9e3779b97f4a7c15U) >> 54U];
-    const bool asked = entry.key == last.cell.key;
+    Entry& entry = table_[(key * 0x9e3779b97f4a7c15U) >> 54U];
+    const bool asked = entry.key == key;
     if (!asked) {
       entry = {};
-      entry.key = last.cell.key;
+      entry.key = key;
     }
     if (asked || at_once) {
       if (entry.state == State::unknown) {
-        fill(entry, last.cell.bounds, light);
+        fill(entry, cell, light);
       }
       last.entry = &entry;
     }
-  }
-  if (cell_bounds != nullptr) {
-    *cell_bounds = last.cell.bounds;
   }
   return last.entry != nullptr ? answer(*last.entry) : Candidates{};
 }

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <optional>
 
 #include "rt/math/rounding.h"
 #include "rt/math/wide_functions.h"
@@ -49,24 +50,35 @@ Wide3 reflected(const WidePhong& phong, const WideShadingPoint& point, const Wid
   return select(lit && mask_of(bits), sum, Wide3(Wide(0.0)));
 }
 
-/// The lanes of `bits` in the cell.
-unsigned inside(const Bounds& cell, const Wide3& p, unsigned bits) {
-  return bits & bits_of(p.x >= cell.lo.x && p.x < cell.hi.x && p.y >= cell.lo.y &&
-                        p.y < cell.hi.y && p.z >= cell.lo.z && p.z < cell.hi.z);
+/// Whether none but what the points lie on may hide the light, and that cannot hide it from them.
+bool alone(const RenderPlan& plan, const WideShadingPoint& from, unsigned bits,
+           std::span<const std::uint32_t> blockers) {
+  return blockers.empty() ||
+         (blockers.size() == 1 && blockers[0] == from.instance &&
+          plan.instances[from.instance].convex && (bits & ~from.from_outside) == 0);
 }
 
-/// The lanes of `bits` that see the light; adds to `dimming` those whose light may be dimmed.
+/// The lanes of `bits`, all lit, that see the light in `direction` at `reach`; adds to `dimming`
+/// those whose light may be dimmed.
 unsigned seeing(const RenderPlan& plan, std::size_t index, const WideShadingPoint& from,
-                const Packet& shadow, const Wide& reach, ShadowCache& cache, unsigned& dimming) {
+                unsigned bits, const Wide& cells, const Wide3& direction, const Wide& reach,
+                ShadowCache& cache, unsigned& dimming) {
+  std::optional<Packet> shadow;
+  const auto rays = [&](unsigned some) -> const Packet& {
+    if (!shadow) {
+      shadow.emplace(leave(from, direction, bits));
+    }
+    shadow->active = some;
+    return *shadow;
+  };
   unsigned hidden = 0;
   // A packet's way through a hierarchy costs less than keeping account of its cells; a list's boxes
   // are all tested by every search (bench/NOTES.md).
-  unsigned unknown = plan.tree ? shadow.active : 0;
-  for (unsigned rest = shadow.active & ~unknown; rest != 0;) {
-    const int first = std::countr_zero(rest);
-    Bounds cell;
-    const Candidates blockers = cache.towards(index, from.position.lane(first), false, &cell);
-    const unsigned here = inside(cell, from.position, rest) | 1U << first;
+  unsigned unknown = plan.tree ? bits : 0;
+  for (unsigned rest = bits & ~unknown; rest != 0;) {
+    const double cell = cells[static_cast<std::size_t>(std::countr_zero(rest))];
+    const Candidates blockers = cache.towards(index, static_cast<ShadowCache::Cell>(cell));
+    const unsigned here = rest & bits_of(cells == cell);
     rest &= ~here;
     if (!blockers.known) {
       unknown |= here;
@@ -75,19 +87,15 @@ unsigned seeing(const RenderPlan& plan, std::size_t index, const WideShadingPoin
     if (blockers.dims) {
       dimming |= here;
     }
-    if (!blockers.instances.empty()) {
-      Packet some = shadow;
-      some.active = here;
-      hidden |= occluded_lanes_by(plan, blockers.instances, some, reach);
+    if (!alone(plan, from, here, blockers.instances)) {
+      hidden |= occluded_lanes_by(plan, blockers.instances, rays(here), reach);
     }
   }
   if (unknown != 0) {
-    Packet some = shadow;
-    some.active = unknown;
-    hidden |= occluded_lanes(plan, some, reach);
+    hidden |= occluded_lanes(plan, rays(unknown), reach);
     dimming |= unknown;
   }
-  return shadow.active & ~hidden;
+  return bits & ~hidden;
 }
 
 /// Extended lights are told of by lines (area_light.cpp), whose cases differ from lane to lane.
@@ -109,9 +117,9 @@ Wide3 one_by_one(const RenderPlan& plan, std::size_t index, const WidePhong& pho
 }  // namespace
 
 Wide3 direct_light(const RenderPlan& plan, std::size_t index, const WidePhong& phong,
-                   const WideShadingPoint& point, unsigned bits, const Wide3& view,
-                   const WideSampler& sampler, const Vertex& vertex, const Wide& negligible,
-                   ShadowCache& cache, RayCounts& counts) {
+                   const WideShadingPoint& point, unsigned bits, const Wide& cells,
+                   const Wide3& view, const WideSampler& sampler, const Vertex& vertex,
+                   const Wide& negligible, ShadowCache& cache, RayCounts& counts) {
   const PlannedLight& light = plan.lights[index];
   if (is_black(phong.kd) && is_black(phong.ks)) {
     return Wide3(Wide(0.0));
@@ -131,8 +139,7 @@ Wide3 direct_light(const RenderPlan& plan, std::size_t index, const WidePhong& p
     const Wide reach =
         s.distance - (point.position_error + gamma(4) * Wide(max_abs(light.position)));
     counts.shadow += static_cast<unsigned>(std::popcount(matters));
-    const Packet shadow = leave(point, s.direction, matters);
-    seen = seeing(plan, index, point, shadow, reach, cache, dimming);
+    seen = seeing(plan, index, point, matters, cells, s.direction, reach, cache, dimming);
     dimming &= seen;
     if (plan.dims && dimming != 0) {
       each_lane(dimming, [&](int i) {

@@ -171,7 +171,10 @@ unsigned occluded_lanes_by(const RenderPlan& plan, std::span<const std::uint32_t
     if (open == 0) {
       break;
     }
-    if (may_block(plan.instances[id])) {
+    const PlannedInstance& instance = plan.instances[id];
+    const bool away =
+        id == packet.instance && instance.convex && (open & ~packet.outward) == 0;
+    if (may_block(instance) && !away) {
       found |= bits_of(crossings(plan, id, packet, open, t_max).hit);
     }
   }

@@ -24,14 +24,16 @@ Wide3 direction(const CameraFrame& camera, const Wide& x, const Wide& y) {
 }  // namespace
 
 void PacketSampler::take(std::span<const PixelSample> wanted, std::span<std::optional<Rgb>> values,
-                         RenderStatistics& statistics, SightCache& sight) {
+                         RenderStatistics& statistics, std::span<std::uint8_t> quadrants,
+                         SightCache& sight) {
   for (std::size_t i = 0; i < wanted.size();) {
     const std::size_t most = std::min<std::size_t>(lanes, wanted.size() - i);
     std::size_t n = 1;
     while (n < most && wanted[i + n].at_centre == wanted[i].at_centre) {
       ++n;
     }
-    take_packet(wanted.subspan(i, n), values.subspan(i, n), statistics, sight);
+    take_packet(wanted.subspan(i, n), values.subspan(i, n), statistics,
+                quadrants.empty() ? quadrants : quadrants.subspan(i, n), sight);
     i += n;
   }
 }
@@ -59,7 +61,7 @@ Candidates PacketSampler::sight_of(SightCache& sight, const Wide2& places, unsig
 
 void PacketSampler::take_packet(std::span<const PixelSample> wanted,
                                 std::span<std::optional<Rgb>> values, RenderStatistics& statistics,
-                                SightCache& sight) {
+                                std::span<std::uint8_t> quadrants, SightCache& sight) {
   const RenderPlan& plan = plan_;
   const auto count = static_cast<unsigned>(wanted.size());
   const bool lens = plan.camera.lens_radius > 0.0;
@@ -79,8 +81,14 @@ void PacketSampler::take_packet(std::span<const PixelSample> wanted,
     }
     sampler.begin();
     if (!centres) {
-      const Wide2 by = filter_offset(plan.options.filter, sampler.pixel());
+      const Wide2 u = sampler.pixel();
+      const Wide2 by = filter_offset(plan.options.filter, u);
       offset = {0.5 + by.x, 0.5 + by.y};
+      const unsigned right = bits_of(u.x >= 0.5);
+      const unsigned bottom = bits_of(u.y >= 0.5);
+      for (std::size_t i = 0; i < quadrants.size(); ++i) {
+        quadrants[i] = static_cast<std::uint8_t>((right >> i & 1U) + 2 * (bottom >> i & 1U));
+      }
     }
   }
   const Wide2 place{corner.x + offset.x, corner.y + offset.y};

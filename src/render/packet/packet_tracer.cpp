@@ -152,11 +152,12 @@ Wide3 PacketTracer::surface(const Scatter& at) {
   const Wide negligible =
       negligible_light(plan_.options, plan_.lights.size()) / largest(at.path.throughput);
   Wide3 sum = Wide3(at.material.emission) + phong.kd * Wide3(plan_.ambient);
+  const Wide cells = shadow_cache_.cells_of(at.point.position);
   const auto lights = static_cast<std::uint32_t>(plan_.lights.size());
   for (std::uint32_t i = 0; i < lights; ++i) {
     const Vertex vertex{at.path.vertex.order, at.path.vertex.copy * lights + i};
-    sum += direct_light(plan_, i, phong, at.point, at.bits, -at.direction(), *sampler_, vertex,
-                        negligible, shadow_cache_, *counts_);
+    sum += direct_light(plan_, i, phong, at.point, at.bits, cells, -at.direction(), *sampler_,
+                        vertex, negligible, shadow_cache_, *counts_);
   }
   return sum;
 }

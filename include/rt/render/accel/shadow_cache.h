@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "rt/math/wide.h"
 #include "rt/render/accel/candidates.h"
 #include "rt/render/plan.h"
 
@@ -23,40 +24,39 @@ class ShadowCache {
   /// How many are few.
   static constexpr std::size_t most = 28;
 
-  /// For shadow rays from `position` towards light `light`. `at_once`: even when nobody has asked
-  /// in this cell before; then the answer is the same whatever was asked. It holds for all
-  /// positions in `cell`, lower faces included; that is empty where space is not divided into
-  /// cells.
-  Candidates towards(std::size_t light, const Vec3& position, bool at_once = false,
-                     Bounds* cell = nullptr);
+  /// Numbers a cell: below 2^47, so that a double holds it; `nowhere` where space is not divided.
+  using Cell = std::uint64_t;
+  static constexpr Cell nowhere = 0;
+  Cell cell_of(const Vec3& position) const;
+  /// The same numbers for several positions.
+  Wide cells_of(const Wide3& positions) const;
+
+  /// For shadow rays from anywhere in `cell` towards light `light`. `at_once`: even when nobody has
+  /// asked in this cell before; then the answer is the same whatever was asked.
+  Candidates towards(std::size_t light, Cell cell, bool at_once = false);
 
  private:
   static constexpr std::size_t entries = 1024;
   enum class State : std::uint8_t { unknown, many, known };
 
   struct alignas(64) Entry {
-    std::uint64_t key = 0;
+    std::uint64_t key = 0;  ///< of cell and light
     State state = State::unknown;
     bool dims = false;
     std::uint16_t count = 0;
     std::array<std::uint32_t, most> instances;
   };
-  struct Cell {
-    std::uint64_t key = 0;  ///< 0: not divided into cells here
-    Bounds bounds;
-  };
-
-  /// The cell that was asked about last, and its entry, for as long as that is not another's.
+  /// What was asked about last, and its entry, for as long as that is not another's.
   struct Last {
-    Cell cell;
+    std::uint64_t key = 0;
     const Entry* entry = nullptr;
   };
 
   Candidates answer(const Entry& entry) const {
     return {entry.state == State::known, entry.dims, {entry.instances.data(), entry.count}};
   }
-  Cell cell_of(std::size_t light, const Vec3& position) const;
-  void fill(Entry& entry, const Bounds& cell, std::size_t light) const;
+  Bounds bounds_of(Cell cell) const;
+  void fill(Entry& entry, Cell cell, std::size_t light) const;
   bool add(Entry& entry, std::uint32_t instance) const;
 
   const RenderPlan& plan_;

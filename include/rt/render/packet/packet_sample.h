@@ -10,12 +10,13 @@ class PacketSampler {
   explicit PacketSampler(const RenderPlan& plan) : plan_(plan), tracer_(plan) {}
 
   void take(std::span<const PixelSample> wanted, std::span<std::optional<Rgb>> values,
-            RenderStatistics& statistics, SightCache& sight);
+            RenderStatistics& statistics, std::span<std::uint8_t> quadrants, SightCache& sight);
 
  private:
   /// All at their pixels' centres, or none.
   void take_packet(std::span<const PixelSample> wanted, std::span<std::optional<Rgb>> values,
-                   RenderStatistics& statistics, SightCache& sight);
+                   RenderStatistics& statistics, std::span<std::uint8_t> quadrants,
+                   SightCache& sight);
   Candidates sight_of(SightCache& sight, const Wide2& places, unsigned count);
 
   const RenderPlan& plan_;

@@ -33,10 +33,11 @@ struct WidePhong {
   double least_r_dot_v;
 };
 
-/// Light `index` reflected towards `view`; 0 in lanes that are not of `bits`.
+/// Light `index` reflected towards `view`; 0 in lanes that are not of `bits`. `cells`: where the
+/// points are, as the cache numbers it.
 Wide3 direct_light(const RenderPlan& plan, std::size_t index, const WidePhong& phong,
-                   const WideShadingPoint& point, unsigned bits, const Wide3& view,
-                   const WideSampler& sampler, const Vertex& vertex, const Wide& negligible,
+                   const WideShadingPoint& point, unsigned bits, const Wide& cells,
+                   const Wide3& view, const WideSampler& sampler, const Vertex& vertex, const Wide& negligible,
                    ShadowCache& cache, RayCounts& counts);
 
 }  // namespace rt
