@@ -151,96 +151,112 @@ class PilotRow {
   std::vector<double> values_;  ///< by quadrant, channel, pixel
 };
 
-/// Sums over the quadrants of three by three pixels: the pixel in the middle, the quadrants that
-/// touch it and itself, and those beyond.
-struct QuadrantSums {
-  Wide own{0.0}, near{0.0}, far{0.0};
-
-  /// Of f(value) over channel c; the middle pixels are those from `pixel` on.
-  template <class F>
-  static QuadrantSums of(const std::array<const PilotRow*, 3>& rows, std::size_t pixel, int c,
-                         F&& f) {
-    QuadrantSums sums;
-    for (int j = 0; j < 6; ++j) {
-      for (int i = 0; i < 6; ++i) {
-        const Wide v = f(rows[static_cast<std::size_t>(j / 2)]->get(
-            2 * (j % 2) + i % 2, c, pixel + static_cast<std::size_t>(i / 2) - 1));
-        if (j == 0 || j == 5 || i == 0 || i == 5) {
-          sums.far += v;
-        } else {
-          sums.near += v;
-        }
-        if (j / 2 == 1 && i / 2 == 1) {
-          sums.own += v;
-        }
-      }
-    }
-    return sums;
-  }
-  Wide weighted() const { return near + far_weight * far; }
-};
-
-struct Contrast {
-  Wide3 mean;      ///< of the pixels' own first samples
-  Wide3 variance;  ///< of the samples about them
-};
-
-Contrast contrast_about(const std::array<const PilotRow*, 3>& rows, std::size_t pixel) {
-  const auto itself = [](const Wide& v) { return v; };
-  const QuadrantSums number = QuadrantSums::of(rows, pixel, 3, itself);
-  const Wide weight = max(number.weighted(), Wide(far_weight));  // there may be none
-  const auto channel = [&](int c, Wide& mean, Wide& variance) {
-    const QuadrantSums sums = QuadrantSums::of(rows, pixel, c, itself);
-    const QuadrantSums squares =
-        QuadrantSums::of(rows, pixel, c, [](const Wide& v) { return v * v; });
-    const Wide about = sums.weighted() / weight;
-    mean = sums.own / max(number.own, Wide(1.0));
-    variance = max(squares.weighted() / weight - about * about, Wide(0.0));
-  };
-  Contrast out;
-  channel(0, out.mean.x, out.variance.x);
-  channel(1, out.mean.y, out.variance.y);
-  channel(2, out.mean.z, out.variance.z);
-  return out;
-}
-
-}  // namespace
-
-/// Estimates a row's errors from the first samples of it and of the rows about.
-class AdaptiveTile::RowEstimate {
+/// Sums over the three by three pixels about each of a row, quadrants that do not touch it weighted
+/// less: first along the columns of quadrants, two a pixel, then across.
+class SumsAbout {
  public:
-  RowEstimate(std::span<PixelEstimate> row, Encoding encoding) : row_(row), encoding_(encoding) {}
+  explicit SumsAbout(std::size_t pixels) : stride_(pixels + lanes), columns_(4 * stride_) {}
 
-  void from(const std::array<const PilotRow*, 3>& rows, std::uint32_t pilots) {
-    const double of_pilots = caution * fastest(pilots);
-    for (std::size_t x = 0; x < row_.size(); x += lanes) {
-      const Contrast contrast = contrast_about(rows, x + 1);
-      const Wide3 variance = of_pilots * contrast.variance;
-      const Wide error = displayed_error(
-          contrast.mean, claim * Wide3(sqrt(variance.x), sqrt(variance.y), sqrt(variance.z)),
-          encoding_);
-      for (std::size_t i = 0; i < lanes && x + i < row_.size(); ++i) {
-        row_[x + i].variance = variance.lane(static_cast<int>(i));
-        row_[x + i].error = static_cast<float>(error[i]);
+  /// Of f(value) over channel c; the row is the second of three.
+  template <class F>
+  void add_up(const std::array<const PilotRow*, 3>& rows, int c, F&& f) {
+    for (std::size_t x = 0; x + lanes <= stride_; x += lanes) {
+      for (int right = 0; right < 2; ++right) {
+        const auto value = [&](std::size_t row, int bottom) {
+          return f(rows[row]->get(2 * bottom + right, c, x));
+        };
+        const Wide near = (value(0, 1) + value(1, 0)) + (value(1, 1) + value(2, 0));
+        const Wide far = value(0, 0) + value(2, 1);
+        (near + far_weight * far).copy_to(&columns_[index(right, 0, x)], stdx::element_aligned);
+        (far_weight * (near + far)).copy_to(&columns_[index(right, 1, x)], stdx::element_aligned);
       }
     }
-    for (PixelEstimate& e : row_) {
-      if (e.count > pilots) {
-        // So many pilots for the sake of something thin: their own scatter is evidence, too.
-        e.variance = (fastest(e.count) * (e.variance / of_pilots + variance_of_samples(e)) +
-                      variance_of_quarters(e, 0.5 * (1.0 + max_exponent))) /
-                     3.0;
-      }
-      if (e.count > pilots) {
-        set_error(e, encoding_);
-      }
-    }
+  }
+
+  /// About so many pixels from `pixel` on; not the row's first.
+  Wide about(std::size_t pixel) const {
+    const auto sum = [&](int right, int far, std::size_t x) {
+      return Wide(&columns_[index(right, far, x)], stdx::element_aligned);
+    };
+    const Wide near = (sum(1, 0, pixel - 1) + sum(0, 0, pixel)) +
+                      (sum(1, 0, pixel) + sum(0, 0, pixel + 1));
+    return near + (sum(0, 1, pixel - 1) + sum(1, 1, pixel + 1));
   }
 
  private:
-  std::span<PixelEstimate> row_;
-  Encoding encoding_;
+  std::size_t index(int right, int far, std::size_t x) const {
+    return static_cast<std::size_t>(2 * far + right) * stride_ + x;
+  }
+
+  std::size_t stride_;
+  std::vector<double> columns_;
 };
+
+/// The variance of the samples about each pixel of a row.
+class RowContrast {
+ public:
+  explicit RowContrast(std::size_t pixels)
+      : number_(pixels), values_(3, SumsAbout(pixels)), squares_(values_) {}
+
+  /// Of the second of three rows.
+  void add_up(const std::array<const PilotRow*, 3>& rows) {
+    number_.add_up(rows, 3, [](const Wide& v) { return v; });
+    for (int c = 0; c < 3; ++c) {
+      values_[static_cast<std::size_t>(c)].add_up(rows, c, [](const Wide& v) { return v; });
+      squares_[static_cast<std::size_t>(c)].add_up(rows, c, [](const Wide& v) { return v * v; });
+    }
+  }
+
+  /// About so many pixels from `pixel` on; not the row's first.
+  Wide3 variance(std::size_t pixel) const {
+    const Wide weight = max(number_.about(pixel), Wide(far_weight));  // there may be none
+    const auto channel = [&](std::size_t c) {
+      const Wide mean = values_[c].about(pixel) / weight;
+      return max(squares_[c].about(pixel) / weight - mean * mean, Wide(0.0));
+    };
+    return {channel(0), channel(1), channel(2)};
+  }
+
+ private:
+  SumsAbout number_;
+  std::vector<SumsAbout> values_, squares_;  ///< by channel
+};
+
+/// The means of so many pixels' own first samples, from `pixel` on.
+Wide3 own_means(const PilotRow& row, std::size_t pixel) {
+  const auto sum = [&](int c) {
+    return (row.get(0, c, pixel) + row.get(1, c, pixel)) +
+           (row.get(2, c, pixel) + row.get(3, c, pixel));
+  };
+  return Wide3(sum(0), sum(1), sum(2)) / max(sum(3), Wide(1.0));
+}
+
+/// Errors of a row's pixels from `pilots` samples of each and of its neighbours, and from those
+/// that pixels have beyond.
+void estimate(std::span<PixelEstimate> pixels, const RowContrast& contrast, const PilotRow& row,
+              std::uint32_t pilots, Encoding encoding) {
+  const double of_pilots = caution * fastest(pilots);
+  for (std::size_t x = 0; x < pixels.size(); x += lanes) {
+    const Wide3 variance = of_pilots * contrast.variance(x + 1);
+    const Wide3 deviation(sqrt(variance.x), sqrt(variance.y), sqrt(variance.z));
+    const Wide error = displayed_error(own_means(row, x + 1), claim * deviation, encoding);
+    for (std::size_t i = 0; i < lanes && x + i < pixels.size(); ++i) {
+      pixels[x + i].variance = variance.lane(static_cast<int>(i));
+      pixels[x + i].error = static_cast<float>(error[i]);
+    }
+  }
+  for (PixelEstimate& e : pixels) {
+    if (e.count > pilots) {
+      // So many pilots for the sake of something thin: their own scatter is evidence, too.
+      e.variance = (fastest(e.count) * (e.variance / of_pilots + variance_of_samples(e)) +
+                    variance_of_quarters(e, 0.5 * (1.0 + max_exponent))) /
+                   3.0;
+      set_error(e, encoding);
+    }
+  }
+}
+
+}  // namespace
 
 void AdaptiveTile::pilots(PixelSampler& sampler, const Deadline& deadline,
                           RenderStatistics& statistics) {
@@ -254,6 +270,7 @@ void AdaptiveTile::pilots(PixelSampler& sampler, const Deadline& deadline,
   const auto row_of = [&](int y) -> PilotRow& {
     return rows[static_cast<std::size_t>(y - area_.y + 1) % 3];
   };
+  RowContrast contrast(width + 2);
   std::vector<PixelSample> wanted;
   std::vector<std::optional<Rgb>> values((width + 2) * first);
   std::vector<std::uint8_t> quadrants(values.size());
@@ -280,8 +297,9 @@ void AdaptiveTile::pilots(PixelSampler& sampler, const Deadline& deadline,
       begin_row(sampler, y, std::span(values).subspan(first, width * first), counted);
     }
     if (y > area_.y) {
-      RowEstimate({&pixels_[index(area_.x, y - 1)], width}, plan.options.encoding)
-          .from({&row_of(y - 2), &row_of(y - 1), &row_of(y)}, first);
+      contrast.add_up({&row_of(y - 2), &row_of(y - 1), &row_of(y)});
+      estimate({&pixels_[index(area_.x, y - 1)], width}, contrast, row_of(y - 1), first,
+               plan.options.encoding);
     }
   }
   statistics += counted;

@@ -59,10 +59,21 @@ class WideSampler {
     const Words low = reverse(owen_reversed(reverse(index << 16), seeds)) >> 16;
     return (index & 0xffff0000u) | low;
   }
+  /// Dimension 1, whose matrix is Pascal's: bit i is the sum of all bits whose numbers contain i's
+  /// bits.
+  static Words pascal(Words x) {
+    x ^= (x >> 1) & 0x55555555u;
+    x ^= (x >> 2) & 0x33333333u;
+    x ^= (x >> 4) & 0x0f0f0f0fu;
+    x ^= (x >> 8) & 0x00ff00ffu;
+    return x ^ (x >> 16);
+  }
   static Wide coordinate(const Words& points, int dimension, const Words& seeds) {
-    const Words x = dimension == 0  // its matrix is the identity
-                        ? points
-                        : Words([&](auto i) { return sobol_reversed(points[i], dimension); });
+    const Words x = dimension == 0   ? points  // its matrix is the identity
+                    : dimension == 1 ? pascal(points)
+                                     : Words([&](auto i) {
+                                         return sobol_reversed(points[i], dimension);
+                                       });
     const Words bits = reverse(owen_reversed(x, seeds));
     return (stdx::static_simd_cast<Wide>(bits) + 0.5) * 0x1p-32;
   }

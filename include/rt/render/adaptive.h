@@ -63,7 +63,6 @@ class AdaptiveTile {
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>((y - area_.y) * area_.width + (x - area_.x));
   }
-  class RowEstimate;
   void begin_row(PixelSampler& sampler, int y, std::span<const std::optional<Rgb>> values,
                  RenderStatistics& statistics);
 

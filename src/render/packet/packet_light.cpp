@@ -1,5 +1,4 @@
 #include <cmath>
-#include <optional>
 
 #include "rt/math/rounding.h"
 #include "rt/math/wide_functions.h"
@@ -17,6 +16,9 @@ struct WideLightSample {
 
 Wide falloff(const Light& light, const Wide& distance) {
   const auto& f = light.falloff;
+  if (f.c1 == 0.0 && f.c2 == 0.0) {
+    return 1.0 / f.c0;
+  }
   return 1.0 / (f.c0 + distance * (f.c1 + distance * f.c2));
 }
 
@@ -63,14 +65,6 @@ bool alone(const RenderPlan& plan, const WideShadingPoint& from, unsigned bits,
 unsigned seeing(const RenderPlan& plan, std::size_t index, const WideShadingPoint& from,
                 unsigned bits, const Wide& cells, const Wide3& direction, const Wide& reach,
                 ShadowCache& cache, unsigned& dimming) {
-  std::optional<Packet> shadow;
-  const auto rays = [&](unsigned some) -> const Packet& {
-    if (!shadow) {
-      shadow.emplace(leave(from, direction, bits));
-    }
-    shadow->active = some;
-    return *shadow;
-  };
   unsigned hidden = 0;
   // A packet's way through a hierarchy costs less than keeping account of its cells; a list's boxes
   // are all tested by every search (bench/NOTES.md).
@@ -88,11 +82,11 @@ unsigned seeing(const RenderPlan& plan, std::size_t index, const WideShadingPoin
       dimming |= here;
     }
     if (!alone(plan, from, here, blockers.instances)) {
-      hidden |= occluded_lanes_by(plan, blockers.instances, rays(here), reach);
+      hidden |= occluded_lanes_by(plan, blockers.instances, leave(from, direction, here), reach);
     }
   }
   if (unknown != 0) {
-    hidden |= occluded_lanes(plan, rays(unknown), reach);
+    hidden |= occluded_lanes(plan, leave(from, direction, unknown), reach);
     dimming |= unknown;
   }
   return bits & ~hidden;
