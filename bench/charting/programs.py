@@ -40,6 +40,7 @@ class Run:
     memory: int  # bytes, at most
     picture: np.ndarray = None
     stats: dict = field(default_factory=dict)
+    all: list = field(default_factory=list)  # statistics of every picture of a script
 
 
 class Programs:
@@ -88,9 +89,10 @@ class Programs:
         command = [self.build / "raytracer", scene, "-o", out, "-q", "-t", threads, "--stats", stats,
                    *options] + (["--", *arguments] if arguments else [])
         _, user, wall, memory = self.timed(command)
-        told = json.loads(stats.read_text())["pictures"][0]
+        all_told = json.loads(stats.read_text())["pictures"]
+        told = all_told[0]
         return Run(told["seconds"]["trace_cpu"], user, wall, memory,
-                   pictures.read(out) if picture else None, told)
+                   pictures.read(out) if picture else None, told, all_told)
 
     def render_only(self, scene, size, *words):
         """What bench/economy/render_only says, by name; and the process' largest memory."""

@@ -8,8 +8,7 @@ from .programs import ROOT, Programs
 
 NAME, TITLE = "threads", "Two threads: how many times as fast as one"
 SCENES = ["S1", "S1n", "S2", "S3", "S3b", "S4", "S5", "S5s"]
-# Long beside the loading of OpenImageIO, which has the second processor at first.
-SECONDS, ASKED = 4.0, 1.9
+SECONDS, ASKED = 1.0, 1.9
 
 
 def unpinned(context):
@@ -28,12 +27,14 @@ def size_for(programs, scene, seconds):
 
 def case_of(programs, name, scene, size):
     def case():
-        one, two = (programs.raytracer(scene, "-s", size, "--samples", "1", picture=False, threads=n)
-                    for n in (1, 2))
-        clock = [run.stats["seconds"]["trace"] for run in (one, two)]
+        one, two = (programs.raytracer([ROOT / "bench/scenes/twice.lua", scene], "-s", size,
+                                       "--samples", "1", picture=False, threads=n) for n in (1, 2))
+        # Of the second picture; of the first, while OpenImageIO is loaded on the second processor.
+        first, clock = ([run.all[k]["seconds"]["trace"] for run in (one, two)] for k in (0, 1))
+        processor = [run.all[1]["seconds"]["trace_cpu"] for run in (one, two)]
         return {"scene": name, "size": size, "one": clock[0], "two": clock[1],
-                "speedup": clock[0] / clock[1], "processor": two.trace / one.trace,
-                "memory": (two.memory - one.memory)}
+                "speedup": clock[0] / clock[1], "processor": processor[1] / processor[0],
+                "first": first[0] / first[1], "memory": (two.memory - one.memory)}
     return case
 
 
@@ -46,7 +47,8 @@ def measure(context):
     for name in SCENES[:2] if context.quick else SCENES:
         scene = ROOT / f"bench/scenes/{name}.lua"
         cases.append(case_of(programs, name, scene, size_for(programs, scene, seconds)))
-    return {NAME: tables.alternated(cases, context.runs, "one", "two", "speedup", "processor", "memory")}
+    return {NAME: tables.alternated(cases, context.runs, "one", "two", "speedup", "first", "processor",
+                                     "memory")}
 
 
 def draw(data):
@@ -64,8 +66,8 @@ def draw(data):
     axes.grid(axis="y", visible=False)
     return figure, ("Wall time of tracing, medians and spread of "
                     f"{rows[0]['runs']:.0f} pairs of runs, one ray a pixel, "
-                    f"pictures large enough for {SECONDS:g} s. Dotted: aimed at. OpenImageIO is loaded "
-                    "meanwhile, for the writing; other work makes two threads look slower, too.")
+                    f"pictures large enough for {SECONDS:g} s. Dotted: aimed at. The second picture of a "
+                    "script: the first is traced while OpenImageIO is loaded on the other processor.")
 
 
 def report(data, heading):
@@ -74,15 +76,17 @@ def report(data, heading):
         "one thread, s": lambda r: tables.between(r, "one"),
         "two, s": lambda r: tables.between(r, "two"),
         "one / two": lambda r: tables.between(r, "speedup", "{:.2f}"),
+        "first picture": lambda r: tables.between(r, "first", "{:.2f}"),
         "processor time, two / one": lambda r: tables.between(r, "processor", "{:.2f}"),
         "memory of the second, MB": lambda r: f"{r['memory'] / 1e6:.1f}"}, data[NAME])
     held = sum(r["speedup"] >= ASKED for r in data[NAME])
     return NAME + ".md", tables.page(
         TITLE, heading, "One ray a pixel; wall time of tracing, medians [least, largest] of pairs of "
-        "runs, each with one thread and then with two. The ratio of processor times "
+        "runs, each with one thread and then with two. Each run renders the scene twice, and the second "
+        "picture counts: the first, whose ratio stands beside, is traced while OpenImageIO is loaded on "
+        "the other processor, for a quarter of a second of its time. The ratio of processor times "
         "does not see what else the machine does: at 1.00 two threads do the "
-        "work of one and no more, and what the first ratio lacks of 2 is waiting, other programs' "
-        "time, or the loading of OpenImageIO, which goes on beside the tracing in either case: where "
-        "tracing takes half a second it takes most of what a second processor gives.", table,
+        "work of one and no more, and what the first ratio lacks of 2 is waiting or other programs' "
+        "time.", table,
         f"Aimed at: {ASKED:g} on each. Reached on {held} of {len(data[NAME])}; median "
         f"{statistics.median(r['speedup'] for r in data[NAME]):.2f}.")
