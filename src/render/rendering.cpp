@@ -17,7 +17,7 @@ using Clock = Deadline::Clock;
 
 // Tiles take the pilots just beyond their edges again: 6% of all pilots at this size.
 constexpr int adaptive_edge = 64;
-constexpr int plain_edge = 16;
+constexpr int plain_edge = 32;
 
 /// With a time limit the picture is refined as a whole, to errors that fall by this factor from
 /// pass to pass.
@@ -189,7 +189,9 @@ void Rendering::single_samples(const Crop& tile, PixelSampler& sampler,
                                RenderStatistics& statistics) {
   constexpr int across = 4;
   std::vector<PixelSample> wanted;
+  std::vector<std::optional<Rgb>> values(2 * static_cast<std::size_t>(tile.width));
   for (int y = tile.y; y < tile.y + tile.height; y += 2) {
+    wanted.clear();
     for (int x = tile.x; x < tile.x + tile.width; x += across) {
       for (int j = y; j < std::min(y + 2, tile.y + tile.height); ++j) {
         for (int i = x; i < std::min(x + across, tile.x + tile.width); ++i) {
@@ -197,11 +199,10 @@ void Rendering::single_samples(const Crop& tile, PixelSampler& sampler,
         }
       }
     }
-  }
-  std::vector<std::optional<Rgb>> values(wanted.size());
-  sampler.take_all(wanted, values, statistics);
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    result_.film.set(wanted[i].x - crop_.x, wanted[i].y - crop_.y, values[i].value_or(Rgb(0.0)));
+    sampler.take_all(wanted, values, statistics);
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      result_.film.set(wanted[i].x - crop_.x, wanted[i].y - crop_.y, values[i].value_or(Rgb(0.0)));
+    }
   }
 }
 

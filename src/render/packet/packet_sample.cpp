@@ -94,18 +94,17 @@ void PacketSampler::take_packet(std::span<const PixelSample> wanted,
   const Wide2 place{corner.x + offset.x, corner.y + offset.y};
   const Wide px = place.x / plan.options.width;
   const Wide py = place.y / plan.options.height;
-  Packet camera;
-  camera.active = (1U << count) - 1U;
-  camera.ray = {Wide3(Wide(0.0)), direction(plan.camera, px, py)};
+  const unsigned active = (1U << count) - 1U;
+  WideRay camera{Wide3(Wide(0.0)), direction(plan.camera, px, py)};
   for (int i = 0; i < lanes && lens; ++i) {
     const auto at = static_cast<std::size_t>(i);
     const TraceRay ray = lens_ray(plan.camera, px[at], py[at], sampler.lane(i));
-    camera.ray.origin.set(i, ray.origin);
-    camera.ray.direction.set(i, ray.direction);
+    camera.origin.set(i, ray.origin);
+    camera.direction.set(i, ray.direction);
   }
   const Wide y = min(max(py, Wide(0.0)), Wide(1.0));
   const Wide3 sum =
-      tracer_.radiance(camera, y, sampler, statistics.rays, sight_of(sight, place, count));
+      tracer_.radiance(camera, active, y, sampler, statistics.rays, sight_of(sight, place, count));
   statistics.samples += count;
   for (unsigned i = 0; i < count; ++i) {
     values[i] = sum.lane(static_cast<int>(i));
@@ -113,7 +112,7 @@ void PacketSampler::take_packet(std::span<const PixelSample> wanted,
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const unsigned good =
       bits_of(abs(sum.x) < infinity && abs(sum.y) < infinity && abs(sum.z) < infinity);
-  each_lane(camera.active & ~good, [&](int i) {
+  each_lane(active & ~good, [&](int i) {
     const auto at = static_cast<std::size_t>(i);
     statistics.add_bad(wanted[at].x, wanted[at].y);
     values[at] = std::nullopt;

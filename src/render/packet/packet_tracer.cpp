@@ -44,16 +44,19 @@ bool PacketTracer::serves(const RenderPlan& plan) {
 PacketTracer::PacketTracer(const RenderPlan& plan)
     : plan_(plan), negligible_(negligible_branch(plan.options)), shadow_cache_(plan) {}
 
-Wide3 PacketTracer::radiance(Packet camera, const Wide& y, const WideSampler& sampler,
-                             RayCounts& counts, const Candidates& sight) {
+Wide3 PacketTracer::radiance(const WideRay& camera, unsigned active, const Wide& y,
+                             const WideSampler& sampler, RayCounts& counts,
+                             const Candidates& sight) {
   sum_ = Wide3(Wide(0.0));
   y_ = y;
   sight_ = sight;
   sampler_ = &sampler;
   counts_ = &counts;
-  counts.camera += static_cast<unsigned>(std::popcount(camera.active));
-  camera.ray.direction = camera.ray.direction * (1.0 / length(camera.ray.direction));
-  follow({camera, Wide3(Wide(1.0)), {}, 0});
+  counts.camera += static_cast<unsigned>(std::popcount(active));
+  follow({{{camera.origin, camera.direction * (1.0 / length(camera.direction))}, active},
+          Wide3(Wide(1.0)),
+          {},
+          0});
   while (!open_.empty()) {
     const Path path = open_.back();
     open_.pop_back();

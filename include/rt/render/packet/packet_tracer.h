@@ -17,10 +17,10 @@ class PacketTracer {
 
   explicit PacketTracer(const RenderPlan& plan);
 
-  /// The radiance that arrives along the packet's camera rays (of any length). `y`: as for Tracer,
-  /// `sampler`: theirs.
-  Wide3 radiance(Packet camera, const Wide& y, const WideSampler& sampler, RayCounts& counts,
-                 const Candidates& sight);
+  /// The radiance that arrives along those camera rays (of any length) that are `active`. `y`: as for
+  /// Tracer, `sampler`: theirs.
+  Wide3 radiance(const WideRay& camera, unsigned active, const Wide& y, const WideSampler& sampler,
+                 RayCounts& counts, const Candidates& sight);
 
  private:
   struct Path {
