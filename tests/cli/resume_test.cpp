@@ -325,9 +325,9 @@ TEST_F(Resumed, PeriodicCheckpointsOutliveAKill) {
 
 TEST_F(Resumed, ATimeLimitCountsBothRunsAndMayChange) {
   write("scene.lua", slow_scene());
-  EXPECT_EQ(interrupt("--max-error 0.0005 --time-limit 30 --size 300x200").exit_code, 130);
+  EXPECT_EQ(interrupt("--max-error 0.0001 --time-limit 30 --size 300x200").exit_code, 130);
   const auto begin = std::chrono::steady_clock::now();
-  const Outcome o = run("scene.lua --resume --max-error 0.0005 --time-limit 1.5 --size 300x200");
+  const Outcome o = run("scene.lua --resume --max-error 0.0001 --time-limit 1.5 --size 300x200");
   EXPECT_EQ(o.exit_code, 0) << o.err;
   EXPECT_LT(std::chrono::steady_clock::now() - begin, 10s);
   EXPECT_NE(o.err.find("out of time"), std::string::npos) << o.err;

@@ -127,7 +127,13 @@ class BoxTree {
     Open next{0.0F, root_};
     for (;;) {
       if ((next.child & leaf) == 0) {
-        size = open(nodes_[next.child], ray, limit, stack, size);
+        const Node& node = nodes_[next.child];
+        alignas(32) float near[BoxGroup::width];
+        const unsigned hits = node.boxes.touched(ray, limit, near);
+        if (hits != 0) {
+          next = nearest_of(node, hits, near, stack, size);
+          continue;
+        }
       } else {
         t_max = visit(next.child & ~leaf);
         if (t_max < 0.0) {
@@ -144,19 +150,32 @@ class BoxTree {
     }
   }
 
-  /// Puts the children that the ray may touch on the stack, the nearest on top.
-  static int open(const Node& node, const BoxRay& ray, float limit, Open* stack, int size) {
-    alignas(32) float near[BoxGroup::width];
+  /// The nearest of a node's children in `hits`; the others come on the stack, nearer ones above.
+  static Open nearest_of(const Node& node, unsigned hits, const float* near, Open* stack,
+                         int& size) {
+    const auto child = [&](int lane) { return Open{near[lane], node.child[lane]}; };
+    const Open first = child(std::countr_zero(hits));
+    hits &= hits - 1;
+    if (hits == 0) {  // mostly they are one or two: those need no sorting
+      return first;
+    }
+    const Open second = child(std::countr_zero(hits));
+    hits &= hits - 1;
     const int begin = size;
-    for (unsigned hits = node.boxes.touched(ray, limit, near); hits != 0; hits &= hits - 1) {
-      const int lane = std::countr_zero(hits);
+    stack[size++] = first.near < second.near ? second : first;
+    if (hits == 0) {
+      return first.near < second.near ? first : second;
+    }
+    stack[size++] = first.near < second.near ? first : second;
+    for (; hits != 0; hits &= hits - 1) {
+      const Open next = child(std::countr_zero(hits));
       int place = size++;
-      for (; place > begin && stack[place - 1].near < near[lane]; --place) {
+      for (; place > begin && stack[place - 1].near < next.near; --place) {
         stack[place] = stack[place - 1];
       }
-      stack[place] = {near[lane], node.child[lane]};
+      stack[place] = next;
     }
-    return size;
+    return stack[--size];
   }
 
   BoxSpace space_;
