@@ -12,7 +12,7 @@ POV = {"POV-Ray +AM1": ["+AM1 +A0.3 +R3", "+AM1 +A0.1 +R3", "+AM1 +A0.1 +R5", "+
 
 
 def measure(context):
-    size = (64, 48) if context.quick else (200, 150)
+    size = (64, 48) if context.quick else (640, 480)
     truth = curves.own_truth(context, SCENE, size, 128 if context.quick else 2048)
     cases = []
     for n in (1, 4, 16) if context.quick else (1, 4, 16, 64, 256):
