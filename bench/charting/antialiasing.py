@@ -31,7 +31,7 @@ def measure(context):
             for setting in settings[:1] if context.quick else settings:
                 cases.append(curves.pov_case(context, "S1", [*setting.split(), "-J"], label, size,
                                              pov, truth))
-    cases += curves.mitsuba_cases(context, "S1", size, truth)
+    cases += curves.mitsuba_cases(context, "S1", size, truth, passes=4)
     return {NAME: curves.measured(context, cases)}
 
 

@@ -67,11 +67,12 @@ def pov_truth(context, scene, size, options):
         lambda: context.programs.povray(scene, size, *options).picture)
 
 
-def mitsuba_cases(context, scene, size, own):
-    """What Mitsuba does with the scene, if it is there; against a reference of its own."""
+def mitsuba_cases(context, scene, size, own, passes=16):
+    """What Mitsuba does with the scene, if it is there; against a reference of its own, of so many
+    times 256 samples."""
     if not context.programs.mitsuba_python:
         return
-    samples, passes = (16, 4) if context.quick else (256, 16)
+    samples, passes = (16, 4) if context.quick else (256, passes)
 
     def make(seed):
         return lambda: context.programs.mitsuba(scene, size, samples, passes, seed).picture

@@ -15,9 +15,9 @@ struct RayDifferential {
 };
 
 /// Distance between neighbouring samples in pixels: 1 / sqrt(n) for n samples a pixel. Adaptive
-/// pixels count their pilots only: what a sample stands for must not depend on what others saw, or
-/// their scatter would be no measure of the error; and never so few that the blur of what they
-/// stand for would show against max_error. The classic scheme counts its corners.
+/// pixels count as four: what a sample stands for must not depend on what others saw, or their
+/// scatter would be no measure of the error; and never so few that the blur of what they stand for
+/// would show against max_error. The classic scheme counts its corners.
 double sample_spacing(const RenderOptions& options);
 
 /// Of a camera ray, whose direction is as CameraFrame gives it, not normalised.
