@@ -192,20 +192,25 @@ bool Rendering::plain_tile(const Crop& tile, PixelSampler& sampler, RenderStatis
 void Rendering::single_samples(const Crop& tile, PixelSampler& sampler,
                                RenderStatistics& statistics) {
   constexpr int across = 4;
-  std::vector<PixelSample> wanted;
-  std::vector<std::optional<Rgb>> values(2 * static_cast<std::size_t>(tile.width));
-  for (int y = tile.y; y < tile.y + tile.height; y += 2) {
-    wanted.clear();
-    for (int x = tile.x; x < tile.x + tile.width; x += across) {
-      for (int j = y; j < std::min(y + 2, tile.y + tile.height); ++j) {
-        for (int i = x; i < std::min(x + across, tile.x + tile.width); ++i) {
-          wanted.push_back({i, j, 0, true});
-        }
+  std::vector<PixelSample> wanted;  // of two rows, which move down
+  for (int x = tile.x; x < tile.x + tile.width; x += across) {
+    for (int j = 0; j < 2; ++j) {
+      for (int i = x; i < std::min(x + across, tile.x + tile.width); ++i) {
+        wanted.push_back({i, tile.y + j, 0, true});
       }
+    }
+  }
+  std::vector<std::optional<Rgb>> values(wanted.size());
+  const int bottom = tile.y + tile.height;
+  for (int y = tile.y; y < bottom; y += 2) {
+    if (y + 1 == bottom) {
+      std::erase_if(wanted, [&](const PixelSample& s) { return s.y == bottom; });
     }
     sampler.take_all(wanted, values, statistics);
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-      result_.film.set(wanted[i].x - crop_.x, wanted[i].y - crop_.y, values[i].value_or(Rgb(0.0)));
+      PixelSample& s = wanted[i];
+      result_.film.set(s.x - crop_.x, s.y - crop_.y, values[i].value_or(Rgb(0.0)));
+      s.y += 2;
     }
   }
 }
