@@ -3,6 +3,7 @@ import pathlib
 import statistics
 
 from . import calibration, curves, tables, whole_scenes
+from .antialiasing import SIZE
 
 TABLES = ["torus", "leaving", "samplers", "calibration", "antialiasing", "soft_shadows", "nesting",
           "whole_scenes", "economy"]
@@ -120,7 +121,7 @@ def of_costs(antialiasing, scenes, economy):
                if r["series"].startswith("POV") and r["rmse"] <= default["rmse"]]
     yield "pov_ratio", (f"{min(reached) / default['time']:.1f} times (its fastest setting that errs "
                         "no more)" if reached else "does not reach it with any setting tried")
-    yield "s1_size", "200x150"
+    yield "s1_size", "{}x{}".format(*SIZE)
     for peer, name in (("povray", "pov"), ("tachyon", "tachyon"), ("mitsuba", "mitsuba")):
         own = {r["scene"]: r["time"] for r in scenes if r["program"] == "raytracer"}
         ratios = [r["time"] / own[r["scene"]] for r in scenes

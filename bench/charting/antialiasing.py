@@ -4,6 +4,7 @@ from .programs import ROOT, Programs
 
 NAME, TITLE = "antialiasing", "Antialiasing of S1: error against time"
 SCENE = ROOT / "bench/scenes/S1.lua"
+SIZE = (640, 480)
 
 POV = {"POV-Ray +AM1": ["+AM1 +A0.3 +R3", "+AM1 +A0.1 +R3", "+AM1 +A0.1 +R5", "+AM1 +A0.03 +R5",
                         "+AM1 +A0.03 +R9"],
@@ -12,7 +13,7 @@ POV = {"POV-Ray +AM1": ["+AM1 +A0.3 +R3", "+AM1 +A0.1 +R3", "+AM1 +A0.1 +R5", "+
 
 
 def measure(context):
-    size = (64, 48) if context.quick else (640, 480)
+    size = (64, 48) if context.quick else SIZE
     truth = curves.own_truth(context, SCENE, size, 128 if context.quick else 2048)
     cases = []
     for n in (1, 4, 16) if context.quick else (1, 4, 16, 64, 256):
