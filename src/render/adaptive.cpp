@@ -6,7 +6,7 @@
 #include <cmath>
 #include <span>
 
-#include "rt/math/wide.h"
+#include "contrast.h"
 #include "rt/render/thin.h"
 
 namespace rt {
@@ -20,10 +20,6 @@ constexpr double claim = 1.3;
 constexpr double memory = 2.0;
 
 constexpr double max_exponent = 1.5;
-
-/// What a neighbour's sample counts for the contrast when it lies in a quadrant that does not touch
-/// the pixel; others count 1.
-constexpr double far_weight = 0.125;
 
 /// The contrast, of few samples, counts so many times.
 constexpr double caution = 2.0;
@@ -109,126 +105,6 @@ void double_samples(PixelSampler& sampler, std::span<PixelEstimate* const> pixel
                   (memory + 2.0);
     set_error(*e, encoding);
   }
-}
-
-/// The first samples of a row of pixels, by the quadrant of the pixel in which they lie; not every
-/// quadrant has one.
-class PilotRow {
- public:
-  // The last pixels are read by as many as a register holds.
-  explicit PilotRow(std::size_t pixels) : stride_(pixels + lanes), values_(16 * stride_) {}
-
-  void set(std::size_t pixel, std::span<const std::optional<Rgb>> values,
-           std::span<const std::uint8_t> quadrants) {
-    for (int q = 0; q < 4; ++q) {
-      put(q, pixel, Rgb(0.0), 0.0);
-    }
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (values[i]) {
-        put(quadrants[i], pixel, *values[i], 1.0);
-      }
-    }
-  }
-
-  /// Channel c of a quadrant of so many pixels from `pixel` on, or (c = 3) 1 where there is a
-  /// sample; 0 where there is none. Bit 0 of a quadrant says right, bit 1 bottom.
-  Wide get(int quadrant, int c, std::size_t pixel) const {
-    return Wide(&values_[index(quadrant, c) + pixel], stdx::element_aligned);
-  }
-
- private:
-  std::size_t index(int quadrant, int c) const {
-    return static_cast<std::size_t>(4 * quadrant + c) * stride_;
-  }
-  void put(int quadrant, std::size_t pixel, const Rgb& value, double there) {
-    for (int c = 0; c < 3; ++c) {
-      values_[index(quadrant, c) + pixel] = value[c];
-    }
-    values_[index(quadrant, 3) + pixel] = there;
-  }
-
-  std::size_t stride_;
-  std::vector<double> values_;  ///< by quadrant, channel, pixel
-};
-
-/// Sums over the three by three pixels about each of a row, quadrants that do not touch it weighted
-/// less: first along the columns of quadrants, two a pixel, then across.
-class SumsAbout {
- public:
-  explicit SumsAbout(std::size_t pixels) : stride_(pixels + lanes), columns_(4 * stride_) {}
-
-  /// Of f(value) over channel c; the row is the second of three.
-  template <class F>
-  void add_up(const std::array<const PilotRow*, 3>& rows, int c, F&& f) {
-    for (std::size_t x = 0; x + lanes <= stride_; x += lanes) {
-      for (int right = 0; right < 2; ++right) {
-        const auto value = [&](std::size_t row, int bottom) {
-          return f(rows[row]->get(2 * bottom + right, c, x));
-        };
-        const Wide near = (value(0, 1) + value(1, 0)) + (value(1, 1) + value(2, 0));
-        const Wide far = value(0, 0) + value(2, 1);
-        (near + far_weight * far).copy_to(&columns_[index(right, 0, x)], stdx::element_aligned);
-        (far_weight * (near + far)).copy_to(&columns_[index(right, 1, x)], stdx::element_aligned);
-      }
-    }
-  }
-
-  /// About so many pixels from `pixel` on; not the row's first.
-  Wide about(std::size_t pixel) const {
-    const auto sum = [&](int right, int far, std::size_t x) {
-      return Wide(&columns_[index(right, far, x)], stdx::element_aligned);
-    };
-    const Wide near = (sum(1, 0, pixel - 1) + sum(0, 0, pixel)) +
-                      (sum(1, 0, pixel) + sum(0, 0, pixel + 1));
-    return near + (sum(0, 1, pixel - 1) + sum(1, 1, pixel + 1));
-  }
-
- private:
-  std::size_t index(int right, int far, std::size_t x) const {
-    return static_cast<std::size_t>(2 * far + right) * stride_ + x;
-  }
-
-  std::size_t stride_;
-  std::vector<double> columns_;
-};
-
-/// The variance of the samples about each pixel of a row.
-class RowContrast {
- public:
-  explicit RowContrast(std::size_t pixels)
-      : number_(pixels), values_(3, SumsAbout(pixels)), squares_(values_) {}
-
-  /// Of the second of three rows.
-  void add_up(const std::array<const PilotRow*, 3>& rows) {
-    number_.add_up(rows, 3, [](const Wide& v) { return v; });
-    for (int c = 0; c < 3; ++c) {
-      values_[static_cast<std::size_t>(c)].add_up(rows, c, [](const Wide& v) { return v; });
-      squares_[static_cast<std::size_t>(c)].add_up(rows, c, [](const Wide& v) { return v * v; });
-    }
-  }
-
-  /// About so many pixels from `pixel` on; not the row's first.
-  Wide3 variance(std::size_t pixel) const {
-    const Wide weight = max(number_.about(pixel), Wide(far_weight));  // there may be none
-    const auto channel = [&](std::size_t c) {
-      const Wide mean = values_[c].about(pixel) / weight;
-      return max(squares_[c].about(pixel) / weight - mean * mean, Wide(0.0));
-    };
-    return {channel(0), channel(1), channel(2)};
-  }
-
- private:
-  SumsAbout number_;
-  std::vector<SumsAbout> values_, squares_;  ///< by channel
-};
-
-/// The means of so many pixels' own first samples, from `pixel` on.
-Wide3 own_means(const PilotRow& row, std::size_t pixel) {
-  const auto sum = [&](int c) {
-    return (row.get(0, c, pixel) + row.get(1, c, pixel)) +
-           (row.get(2, c, pixel) + row.get(3, c, pixel));
-  };
-  return Wide3(sum(0), sum(1), sum(2)) / max(sum(3), Wide(1.0));
 }
 
 /// Errors of a row's pixels from `pilots` samples of each and of its neighbours, and from those

@@ -167,7 +167,7 @@ bool Rendering::plain_tile(const Crop& tile, PixelSampler& sampler, RenderStatis
                            const Until& until) {
   const Deadline stop({}, until.stop);
   if (fixed_ == 1) {
-    single_samples(tile, sampler, statistics);
+    centre_samples(sampler, tile, crop_, result_.film, statistics);
     return true;
   }
   std::optional<CornerTile> corners;
@@ -186,33 +186,6 @@ bool Rendering::plain_tile(const Crop& tile, PixelSampler& sampler, RenderStatis
     }
   }
   return true;
-}
-
-/// One sample a pixel, in the order of blocks two pixels high: neighbours go the same way.
-void Rendering::single_samples(const Crop& tile, PixelSampler& sampler,
-                               RenderStatistics& statistics) {
-  constexpr int across = 4;
-  std::vector<PixelSample> wanted;  // of two rows, which move down
-  for (int x = tile.x; x < tile.x + tile.width; x += across) {
-    for (int j = 0; j < 2; ++j) {
-      for (int i = x; i < std::min(x + across, tile.x + tile.width); ++i) {
-        wanted.push_back({i, tile.y + j, 0, true});
-      }
-    }
-  }
-  std::vector<std::optional<Rgb>> values(wanted.size());
-  const int bottom = tile.y + tile.height;
-  for (int y = tile.y; y < bottom; y += 2) {
-    if (y + 1 == bottom) {
-      std::erase_if(wanted, [&](const PixelSample& s) { return s.y == bottom; });
-    }
-    sampler.take_all(wanted, values, statistics);
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      PixelSample& s = wanted[i];
-      result_.film.set(s.x - crop_.x, s.y - crop_.y, values[i].value_or(Rgb(0.0)));
-      s.y += 2;
-    }
-  }
 }
 
 void Rendering::tile_by_tile(const Deadline& deadline, const Until& until) {

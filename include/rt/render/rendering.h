@@ -59,7 +59,6 @@ class Rendering {
   void plain(const Until& until);
   bool plain_tile(const Crop& tile, PixelSampler& sampler, RenderStatistics& statistics,
                   const Until& until);
-  void single_samples(const Crop& tile, PixelSampler& sampler, RenderStatistics& statistics);
   void tile_by_tile(const Deadline& deadline, const Until& until);
   void progressive(const Deadline& deadline, const Until& until);
   void keep(const AdaptiveTile& tile);

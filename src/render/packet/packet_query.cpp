@@ -171,10 +171,7 @@ unsigned occluded_lanes_by(const RenderPlan& plan, std::span<const std::uint32_t
     if (open == 0) {
       break;
     }
-    const PlannedInstance& instance = plan.instances[id];
-    const bool away =
-        id == packet.instance && instance.convex && (open & ~packet.outward) == 0;
-    if (may_block(instance) && !away) {
+    if (may_block(plan.instances[id])) {
       found |= bits_of(crossings(plan, id, packet, open, t_max).hit);
     }
   }
