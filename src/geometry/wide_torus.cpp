@@ -174,6 +174,30 @@ WideHit intersect(const Torus& torus, const WideRay& ray, const Wide& t_max,
   return found;
 }
 
+// Divided by its root at the start, the quartic is a cubic: torus_leaving.cpp. Where that stays above
+// all rounding up to its lowest place ahead, there is no other root; what happens within a tube's
+// radius of the start does not depend on rounding there, and from there on the cubic is at least
+// what it is there or at its lowest.
+WideMask leaves_for_good(const Torus& shape, const WideRay& ray) {
+  if (!has_wide_hole(shape)) {
+    return WideMask(false);
+  }
+  const double R = shape.major_radius;
+  const double r = shape.minor_radius;
+  const Wide3& o = ray.origin;
+  const Wide3 d = ray.direction * (1.0 / length(ray.direction));
+  const Wide od = dot(o, d);
+  const Wide rho = sqrt(o.x * o.x + o.z * o.z);
+  const Wide c0 = max(8 * R * ((rho - R) * (o.x * d.x + o.z * d.z) + rho * o.y * d.y), Wide(0.0));
+  const Wide c1 = 2 * (dot(o, o) - R * R - r * r) + 4 * od * od + 4 * R * R * d.y * d.y;
+  const Wide c2 = 4 * od;
+  const Wide discriminant = c2 * c2 - 3 * c1;
+  const Wide lowest = (sqrt(max(discriminant, Wide(0.0))) - c2) * (1.0 / 3);
+  const Wide s = select(discriminant >= 0.0 && lowest > 0.0, lowest, Wide(r));
+  const double size = size_of(shape);
+  return ((s + c2) * s + c1) * s + c0 > 2 * polynomial_noise * size * size * size;
+}
+
 WideSurfacePoint surface_point(const Torus& shape, const WideRay& ray, const Wide& t, const Wide&) {
   const Wide3 p = fused_at(ray.origin, ray.direction, t);
   const Wide rho = sqrt(p.x * p.x + p.z * p.z);

@@ -154,5 +154,35 @@ TEST(WideSphere, IsLeftInwardAsByOneRay) {
   }
 }
 
+/// Any ray that leaves the surface outward; half of them graze it.
+TEST(WideTorus, IsLeftForGoodOnlyWhereOneRayNeverReturns) {
+  Random random(37);
+  int gone = 0;
+  int never = 0;
+  for (int k = 0; k < 4 * packets; ++k) {
+    const Shape shape = shape_named("torus", random);
+    const Torus& torus = std::get<Torus>(shape);
+    LaneRays rays;
+    for (std::size_t i = 0; i < lane_count; ++i) {
+      const Spot spot = spot_on(shape, random);
+      rays.ray[i] = from_nearby(shape, 0.0, random);
+      rays.ray[i].origin = spot.position;
+      if (glm::dot(rays.ray[i].direction, spot.normal) < 0.0) {
+        rays.ray[i].direction = -rays.ray[i].direction;
+      }
+      rays.ray[i].direction *= random.power_of_ten(-3, 3);
+    }
+    const WideMask out = leaves_for_good(torus, rays.wide());
+    for (std::size_t i = 0; i < lane_count; ++i) {
+      const bool returns =
+          intersect(torus, rays.ray[i], inf, {Leaving::outward, 0, 0}).has_value();
+      ASSERT_FALSE(returns && out[i]) << described(rays.ray[i]);
+      gone += out[i] ? 1 : 0;
+      never += returns ? 0 : 1;
+    }
+  }
+  EXPECT_GE(gone, 0.9 * never);
+}
+
 }  // namespace
 }  // namespace rt::stability

@@ -44,6 +44,9 @@ WideHit intersect(const Torus& shape, const WideRay& ray, const Wide& t_max,
 /// Where rays that start on the sphere, going inward, come out.
 WideHit leave_inward(const Sphere& shape, const WideRay& ray, const Wide& t_max);
 
+/// Lanes of rays that start on the torus, going outward, and plainly never meet it again.
+WideMask leaves_for_good(const Torus& shape, const WideRay& ray);
+
 WideSurfacePoint surface_point(const Sphere& shape, const WideRay& ray, const Wide& t,
                                const Wide& feature);
 WideSurfacePoint surface_point(const Plane& shape, const WideRay& ray, const Wide& t,

@@ -54,8 +54,21 @@ WideHit meet_again(const RenderPlan& plan, const PlannedInstance& instance, cons
     again.hit = again.hit && !mask_of(packet.outward);
     return again;
   }
-  return {WideMask(false), mask_of(instance.convex ? ~packet.outward & all_lanes : all_lanes),
-          Wide(0.0), Wide(0.0)};
+  unsigned gone = instance.convex ? packet.outward : 0;
+  if (instance.is<Torus>() && packet.outward != 0) {
+    gone = plan.map(instance, 0.0, [&](const auto& map) {
+      return bits_of(leaves_for_good(plan.shapes.of<Torus>()[instance.shape],
+                                     model_rays(map, packet.ray)));
+    });
+    gone &= packet.outward;
+  }
+  return {WideMask(false), mask_of(~gone & all_lanes), Wide(0.0), Wide(0.0)};
+}
+
+/// Whether all lanes in `bits` have left that instance and cannot meet it again.
+bool left_for_good(const PlannedInstance& instance, std::uint32_t id, const Packet& packet,
+                   unsigned bits) {
+  return packet.instance == id && instance.convex && (bits & ~packet.outward) == 0;
 }
 
 /// The crossings of those lanes of the packet that are in `bits`; none is left undecided.
@@ -154,7 +167,8 @@ unsigned occluded_lanes(const RenderPlan& plan, const Packet& packet, const Wide
   unsigned found = 0;
   Wide limit = t_max;
   each_candidate(plan, packet, t_max, [&](std::uint32_t id, unsigned bits) {
-    if (may_block(plan.instances[id])) {
+    const PlannedInstance& instance = plan.instances[id];
+    if (may_block(instance) && !left_for_good(instance, id, packet, bits)) {
       found |= bits_of(crossings(plan, id, packet, bits & ~found, t_max).hit);
       limit = select(mask_of(found), Wide(-1.0), t_max);
     }
@@ -171,7 +185,8 @@ unsigned occluded_lanes_by(const RenderPlan& plan, std::span<const std::uint32_t
     if (open == 0) {
       break;
     }
-    if (may_block(plan.instances[id])) {
+    const PlannedInstance& instance = plan.instances[id];
+    if (may_block(instance) && !left_for_good(instance, id, packet, open)) {
       found |= bits_of(crossings(plan, id, packet, open, t_max).hit);
     }
   }
