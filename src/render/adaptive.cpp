@@ -86,177 +86,288 @@ void set_error(PixelEstimate& e, Encoding encoding) {
   e.error = static_cast<float>(displayed_error(e.mean(), claim * glm::sqrt(e.variance), encoding));
 }
 
-/// Takes `wanted`, as many samples of each pixel as it has, and estimates anew.
-void double_samples(PixelSampler& sampler, std::span<PixelEstimate* const> pixels,
-                    std::span<const PixelSample> wanted, Encoding encoding,
-                    RenderStatistics& statistics) {
-  std::vector<std::optional<Rgb>> values(wanted.size());
-  sampler.take_all(wanted, values, statistics);
-  std::span<const std::optional<Rgb>> rest = values;
-  for (PixelEstimate* e : pixels) {
-    const std::uint32_t more = e->count;
-    count_in(*e, rest.first(more), 2 * more);
-    rest = rest.subspan(more);
-    const Rgb sample = variance_of_samples(*e);
-    const double rate = observed_exponent(*e, sample);
-    const double between = 0.5 * (rate + max_exponent);
-    e->variance = (memory * std::exp2(-rate) * e->variance + variance_of_quarters(*e, rate) +
-                   std::exp2(-between * std::log2(e->count)) * sample) /
-                  (memory + 2.0);
-    set_error(*e, encoding);
-  }
+/// The variance once a pixel's samples have been doubled.
+Rgb variance_when_doubled(const PixelEstimate& e) {
+  const Rgb sample = variance_of_samples(e);
+  const double rate = observed_exponent(e, sample);
+  const double between = 0.5 * (rate + max_exponent);
+  return (memory * std::exp2(-rate) * e.variance + variance_of_quarters(e, rate) +
+          std::exp2(-between * std::log2(e.count)) * sample) /
+         (memory + 2.0);
 }
 
-/// Errors of a row's pixels from `pilots` samples of each and of its neighbours, and from those
-/// that pixels have beyond.
-void estimate(std::span<PixelEstimate> pixels, const RowContrast& contrast, const PilotRow& row,
-              std::uint32_t pilots, Encoding encoding) {
-  const double of_pilots = caution * fastest(pilots);
-  for (std::size_t x = 0; x < pixels.size(); x += lanes) {
-    const Wide3 variance = of_pilots * contrast.variance(x + 1);
-    const Wide3 deviation(sqrt(variance.x), sqrt(variance.y), sqrt(variance.z));
-    const Wide error = displayed_error(own_means(row, x + 1), claim * deviation, encoding);
-    for (std::size_t i = 0; i < lanes && x + i < pixels.size(); ++i) {
-      pixels[x + i].variance = variance.lane(static_cast<int>(i));
-      pixels[x + i].error = static_cast<float>(error[i]);
-    }
+/// What of the contrast, the variance of one sample, their mean of so many pilots has.
+double share_of_contrast(std::uint32_t pilots) { return caution * fastest(pilots); }
+
+std::uint32_t first_samples(const RenderOptions& options) {
+  return std::min(pilot_samples, static_cast<std::uint32_t>(options.max_samples));
+}
+
+/// Whether a pixel is to take more, and may.
+bool wants_more(const PixelEstimate& e, double target, const RenderOptions& options) {
+  return e.error > target && 2 * e.count <= static_cast<std::uint32_t>(options.max_samples);
+}
+
+/// Takes as many pilots as something thin asks for. Their own scatter is evidence, too; `contrast`
+/// is the variance of one sample that the neighbours tell.
+void take_thin(PixelSampler& sampler, PixelEstimate& e, int x, int y, int wanted,
+               const Rgb& contrast, RenderStatistics& statistics) {
+  const RenderOptions& options = sampler.plan().options;
+  const auto most = static_cast<std::uint32_t>(options.max_samples);
+  const std::uint32_t first = e.count;
+  while (static_cast<int>(e.count) < wanted && 2 * e.count <= most) {
+    grow(sampler, e, x, y, 2 * e.count, statistics);
   }
-  for (PixelEstimate& e : pixels) {
-    if (e.count > pilots) {
-      // So many pilots for the sake of something thin: their own scatter is evidence, too.
-      e.variance = (fastest(e.count) * (e.variance / of_pilots + variance_of_samples(e)) +
-                    variance_of_quarters(e, 0.5 * (1.0 + max_exponent))) /
-                   3.0;
-      set_error(e, encoding);
-    }
+  if (e.count > first) {
+    e.variance = (fastest(e.count) * (contrast + variance_of_samples(e)) +
+                  variance_of_quarters(e, 0.5 * (1.0 + max_exponent))) /
+                 3.0;
+    set_error(e, options.encoding);
   }
 }
 
 }  // namespace
 
-void AdaptiveTile::pilots(PixelSampler& sampler, const Deadline& deadline,
-                          RenderStatistics& statistics) {
-  const auto width = static_cast<std::size_t>(area_.width);
-  pixels_.reserve(width * static_cast<std::size_t>(area_.height));
-  const RenderPlan& plan = sampler.plan();
-  const std::uint32_t first =
-      std::min(pilot_samples, static_cast<std::uint32_t>(plan.options.max_samples));
-  RenderStatistics counted;
-  std::array<PilotRow, 3> rows{PilotRow(width + 2), PilotRow(width + 2), PilotRow(width + 2)};
-  const auto row_of = [&](int y) -> PilotRow& {
-    return rows[static_cast<std::size_t>(y - area_.y + 1) % 3];
-  };
-  RowContrast contrast(width + 2);
-  std::vector<PixelSample> wanted;
-  std::vector<std::optional<Rgb>> values((width + 2) * first);
-  std::vector<std::uint8_t> quadrants(values.size());
-  const int bottom = area_.y + area_.height;
-  for (int y = area_.y - 1; y <= bottom; ++y) {
-    if (deadline.told()) {
-      release();
-      return;
-    }
-    wanted.clear();
-    for (int x = area_.x - 1; x <= area_.x + area_.width; ++x) {
-      append_samples(wanted, x, y, 0, first);
-    }
-    RenderStatistics of_row;
-    sampler.take_all(wanted, values, of_row, quadrants);
-    of_row.bad_samples = 0;  // begin_row() counts those of the tile itself
-    counted += of_row;
-    PilotRow& pilots = row_of(y);
-    for (std::size_t k = 0; k < width + 2; ++k) {
-      pilots.set(k, std::span(values).subspan(k * first, first),
-                 std::span(quadrants).subspan(k * first, first));
-    }
-    if (y >= area_.y && y < bottom) {
-      begin_row(sampler, y, std::span(values).subspan(first, width * first), counted);
-    }
-    if (y > area_.y) {
-      contrast.add_up({&row_of(y - 2), &row_of(y - 1), &row_of(y)});
-      estimate({&pixels_[index(area_.x, y - 1)], width}, contrast, row_of(y - 1), first,
-               plan.options.encoding);
+void PixelResults::set(int x, int y, const PixelEstimate& e) {
+  const std::size_t i = index(x, y);
+  result_.film.set(x - crop_.x, y - crop_.y, e.mean());
+  result_.errors[i] = e.error;
+  result_.samples[i] = e.count;
+  result_.pilots[i] = e.pilots;
+}
+
+void PixelResults::set_row(int x, int y, int count, const Wide3& means, const Wide& errors,
+                           std::uint32_t pilots) {
+  const std::size_t begin = index(x, y);
+  for (int i = 0; i < count; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    result_.film.set(x + i - crop_.x, y - crop_.y, means.lane(i));
+    result_.errors[begin + at] = static_cast<float>(errors[at]);
+    result_.samples[begin + at] = pilots;
+    result_.pilots[begin + at] = pilots;
+  }
+}
+
+void PixelResults::clear(const Crop& area) {
+  for (int y = area.y; y < area.y + area.height; ++y) {
+    for (int x = area.x; x < area.x + area.width; ++x) {
+      set(x, y, {});
     }
   }
+}
+
+/// Rows from `top` to before `bottom`, at most two: in the order of blocks two pixels wide and as
+/// high, for neighbours go the same way.
+void AdaptiveTile::take_rows(PixelSampler& sampler, int top, int bottom, std::span<PilotRow> rows,
+                             RenderStatistics& statistics) const {
+  const std::uint32_t first = first_samples(sampler.plan().options);
+  const int left = area_.x - 1;
+  const int right = area_.x + area_.width + 1;
+  std::vector<PixelSample> wanted;
+  const auto append_block = [&](int x0, int x1) {
+    for (int y = top; y < bottom; ++y) {
+      for (int x = x0; x < x1; ++x) {
+        append_samples(wanted, x, y, 0, first);
+      }
+    }
+  };
+  const int begin = left + (left & 1);
+  for (int x = begin; x < right; x += 2) {
+    append_block(x, std::min(x + 2, right));
+  }
+  append_block(left, begin);
+  std::vector<std::optional<Rgb>> values(wanted.size());
+  std::vector<std::uint8_t> quadrants(wanted.size());
+  sampler.take_all(wanted, values, statistics, quadrants);
+  for (int y = top; y < bottom; ++y) {
+    rows[static_cast<std::size_t>(y & 3)].clear();
+  }
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (values[i]) {
+      rows[static_cast<std::size_t>(wanted[i].y & 3)].add(
+          static_cast<std::size_t>(wanted[i].x - left), quadrants[i], *values[i]);
+    }
+  }
+}
+
+void AdaptiveTile::pilots(PixelSampler& sampler, PixelResults& results, const Deadline& deadline,
+                          RenderStatistics& statistics) {
+  const auto pixels = static_cast<std::size_t>(area_.width) + 2;
+  std::vector<PilotRow> rows(4, PilotRow(pixels));  // each at its number's last two bits
+  RowContrast contrast(pixels);
+  RenderStatistics counted;
+  const int end = area_.y + area_.height;
+  int estimated = area_.y;
+  for (int y = area_.y - 1; y <= end;) {
+    if (deadline.told()) {
+      release();
+      results.clear(area_);
+      return;
+    }
+    const int next = std::min((y | 1) + 1, end + 1);
+    RenderStatistics of_rows;
+    take_rows(sampler, y, next, rows, of_rows);
+    of_rows.bad_samples = 0;  // estimate_row() counts those of the tile itself
+    counted += of_rows;
+    for (; estimated + 1 < next; ++estimated) {
+      estimate_row(sampler, estimated, rows, contrast, results, counted);
+    }
+    y = next;
+  }
+  begun_ = true;
   statistics += counted;
 }
 
-/// A row's pixels, from `values`, the first samples of each.
-void AdaptiveTile::begin_row(PixelSampler& sampler, int y,
-                             std::span<const std::optional<Rgb>> values,
-                             RenderStatistics& statistics) {
+/// A row's pixels, from the pilots of it and of the rows beside.
+void AdaptiveTile::estimate_row(PixelSampler& sampler, int y, std::span<const PilotRow> rows,
+                                RowContrast& contrast, PixelResults& results,
+                                RenderStatistics& statistics) {
   const RenderPlan& plan = sampler.plan();
-  const auto most = static_cast<std::uint32_t>(plan.options.max_samples);
-  const std::size_t first = values.size() / static_cast<std::size_t>(area_.width);
-  for (int x = area_.x; x < area_.x + area_.width; ++x) {
-    PixelEstimate& e = pixels_.emplace_back();
-    for (const auto& value : values.first(first)) {
-      if (!value) {
-        statistics.add_bad(x, y);
-      }
-    }
-    count_in(e, values.first(first), static_cast<std::uint32_t>(first));
-    values = values.subspan(first);
-    const int wanted = plan.thin ? thin_pilots(plan, x, y) : 0;
-    while (static_cast<int>(e.count) < wanted && 2 * e.count <= most) {
-      grow(sampler, e, x, y, 2 * e.count, statistics);
-    }
-    e.pilots = e.count;
+  const std::uint32_t first = first_samples(plan.options);
+  const double share = share_of_contrast(first);
+  const auto row = [&](int at) { return &rows[static_cast<std::size_t>(at & 3)]; };
+  contrast.add_up({row(y - 1), row(y), row(y + 1)});
+  for (int x = 0; x < area_.width; x += lanes) {
+    const auto k = static_cast<std::size_t>(x) + 1;  // there is a neighbour before the first
+    const int count = std::min(lanes, area_.width - x);
+    const OwnPilots own(*row(y), k);
+    const Wide3 variance = share * contrast.variance(k);
+    const Wide3 deviation(sqrt(variance.x), sqrt(variance.y), sqrt(variance.z));
+    const Wide error = displayed_error(own.mean, claim * deviation, plan.options.encoding);
+    results.set_row(area_.x + x, y, count, own.mean, error, first);
+    // What is rounded to a float may be above the target only then.
+    unsigned more = bits_of(error > plan.options.max_error * (1.0 - 0x1p-20));
+    more |= bits_of(own.number < 1.0 * first) | (plan.thin ? all_lanes : 0U);
+    each_lane(more & ((1U << count) - 1U), [&](int i) {
+      const std::size_t pixel = k + static_cast<std::size_t>(i);
+      std::array<std::optional<Rgb>, pilot_samples> values;  // what is left empty was bad
+      std::size_t n = 0;
+      row(y)->each_of(pixel, [&](const Rgb& value) { values[n++] = value; });
+      begin_pixel(sampler, area_.x + x + i, y, std::span(values).first(first), variance.lane(i),
+                  static_cast<float>(error[static_cast<std::size_t>(i)]), results, statistics);
+    });
   }
 }
 
-// In rounds over a row, so that neighbours fill packets together.
+/// A pixel that may want more than its first samples, `values`, or has bad ones among them.
+void AdaptiveTile::begin_pixel(PixelSampler& sampler, int x, int y,
+                               std::span<const std::optional<Rgb>> values, const Rgb& variance,
+                               float error, PixelResults& results, RenderStatistics& statistics) {
+  const RenderPlan& plan = sampler.plan();
+  Open pixel{{}, x, y};
+  PixelEstimate& e = pixel.estimate;
+  count_in(e, values, static_cast<std::uint32_t>(values.size()));
+  for (std::uint32_t i = 0; i < e.bad; ++i) {
+    statistics.add_bad(x, y);
+  }
+  e.variance = variance;
+  e.error = error;
+  if (plan.thin) {
+    const Rgb contrast = variance / share_of_contrast(e.count);
+    take_thin(sampler, e, x, y, thin_pilots(plan, x, y), contrast, statistics);
+  }
+  e.pilots = e.count;
+  results.set(x, y, e);
+  if (wants_more(e, plan.options.max_error, plan.options)) {
+    open_.push_back(pixel);
+  }
+}
+
+void AdaptiveTile::double_samples(PixelSampler& sampler, std::span<Open* const> pixels,
+                                  RenderStatistics& statistics) {
+  std::vector<PixelSample> wanted;
+  for (const Open* pixel : pixels) {
+    append_samples(wanted, pixel->x, pixel->y, pixel->estimate.count, 2 * pixel->estimate.count);
+  }
+  std::vector<std::optional<Rgb>> values(wanted.size());
+  sampler.take_all(wanted, values, statistics);
+  std::span<const std::optional<Rgb>> rest = values;
+  for (Open* pixel : pixels) {
+    PixelEstimate& e = pixel->estimate;
+    const std::uint32_t more = e.count;
+    count_in(e, rest.first(more), 2 * more);
+    rest = rest.subspan(more);
+    e.variance = variance_when_doubled(e);
+    set_error(e, sampler.plan().options.encoding);
+  }
+}
+
+// In rounds over two rows, so that neighbours fill packets together.
 bool AdaptiveTile::refine(PixelSampler& sampler, double target, const Deadline& deadline,
                           RenderStatistics& statistics) {
-  constexpr std::size_t batch = 256;
-  const RenderPlan& plan = sampler.plan();
-  const auto most = static_cast<std::uint32_t>(plan.options.max_samples);
-  const int right = area_.x + area_.width;
-  std::vector<PixelEstimate*> open;
-  std::vector<PixelSample> wanted;
-  for (int y = area_.y; y < area_.y + area_.height; ++y) {
-    for (bool again = true; again;) {
-      again = false;
-      for (int x = area_.x; x < right;) {
-        open.clear();
-        wanted.clear();
-        for (; x < right && wanted.size() < batch; ++x) {
-          PixelEstimate& e = pixels_[index(x, y)];
-          if (e.error > target && 2 * e.count <= most) {
-            open.push_back(&e);
-            append_samples(wanted, x, y, e.count, 2 * e.count);
-          }
-        }
-        if (open.empty()) {
-          continue;
+  constexpr std::uint32_t batch = 256;
+  const RenderOptions& options = sampler.plan().options;
+  std::vector<Open*> round;
+  for (auto next = open_.begin(); next != open_.end();) {
+    round.clear();
+    const int rows = next->y >> 1;
+    std::size_t upper = 0;
+    for (; next != open_.end() && next->y >> 1 == rows; ++next) {
+      if (wants_more(next->estimate, target, options)) {
+        upper += next->y & 1 ? 0 : 1;
+        round.push_back(&*next);
+      }
+    }
+    std::ranges::inplace_merge(round, round.begin() + static_cast<std::ptrdiff_t>(upper), {},
+                               [](const Open* pixel) { return pixel->x >> 1; });
+    while (!round.empty()) {
+      for (std::span<Open* const> rest = round; !rest.empty();) {
+        std::size_t n = 0;
+        for (std::uint32_t samples = 0; n < rest.size() && samples < batch; ++n) {
+          samples += rest[n]->estimate.count;
         }
         if (deadline.passed()) {
           return false;
         }
-        double_samples(sampler, open, wanted, plan.options.encoding, statistics);
-        again = true;
+        double_samples(sampler, rest.first(n), statistics);
+        rest = rest.subspan(n);
       }
+      std::erase_if(round, [&](const Open* pixel) {
+        return !wants_more(pixel->estimate, target, options);
+      });
     }
   }
   return true;
 }
 
+void AdaptiveTile::give(PixelResults& results) const {
+  for (const auto& [e, x, y] : open_) {
+    results.set(x, y, e);
+  }
+}
+
+void AdaptiveTile::release() {
+  begun_ = false;
+  std::vector<Open>().swap(open_);
+}
+
+std::size_t AdaptiveTile::state_bytes() const {
+  return sizeof(std::uint64_t) + sizeof(Open) * open_.size();
+}
+
 void AdaptiveTile::save(ByteWriter& out) const {
-  out.list(std::span(pixels_));
+  out.value(std::uint64_t{open_.size()});
+  out.list(std::span(open_));
 }
 
 void AdaptiveTile::load(ByteReader& in, std::uint32_t most) {
-  pixels_.assign(static_cast<std::size_t>(area_.width) * static_cast<std::size_t>(area_.height),
-                 {});
-  in.list(std::span(pixels_));
-  for (const PixelEstimate& e : pixels_) {
-    const std::uint32_t doublings = e.count / std::min(pilot_samples, most);
-    const bool regular =
-        std::has_single_bit(doublings) && doublings * std::min(pilot_samples, most) == e.count;
-    if (!regular || e.count > most || e.pilots > e.count || e.bad > e.count) {
+  const auto count = in.value<std::uint64_t>();
+  if (count > static_cast<std::uint64_t>(area_.width) * static_cast<std::uint64_t>(area_.height)) {
+    throw std::out_of_range("too many pixels");
+  }
+  open_.assign(count, {});
+  in.list(std::span(open_));
+  const std::uint32_t first = std::min(pilot_samples, most);
+  for (const auto& [e, x, y] : open_) {
+    const std::uint32_t doublings = e.count / first;
+    const bool regular = std::has_single_bit(doublings) && doublings * first == e.count;
+    const bool within = x >= area_.x && x < area_.x + area_.width && y >= area_.y &&
+                        y < area_.y + area_.height;
+    if (!regular || !within || e.count > most || e.pilots > e.count || e.bad > e.count) {
       throw std::out_of_range("no pixel");
     }
   }
+  begun_ = true;
 }
 
 }  // namespace rt

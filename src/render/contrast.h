@@ -1,10 +1,9 @@
 #pragma once
 /// How much the first samples of three by three pixels differ: the contrast of estimate.h, for a row
 /// of pixels at a time.
+#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <optional>
-#include <span>
 #include <vector>
 
 #include "rt/math/vec.h"
@@ -23,16 +22,15 @@ class PilotRow {
   // The last pixels are read by as many as a register holds.
   explicit PilotRow(std::size_t pixels) : stride_(pixels + lanes), values_(16 * stride_) {}
 
-  void set(std::size_t pixel, std::span<const std::optional<Rgb>> values,
-           std::span<const std::uint8_t> quadrants) {
-    for (int q = 0; q < 4; ++q) {
-      put(q, pixel, Rgb(0.0), 0.0);
+  /// No pixel has any.
+  void clear() { std::ranges::fill(values_, 0.0); }
+
+  /// A pixel's next sample; a quadrant has one at most.
+  void add(std::size_t pixel, int quadrant, const Rgb& value) {
+    for (int c = 0; c < 3; ++c) {
+      values_[index(quadrant, c) + pixel] = value[c];
     }
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (values[i]) {
-        put(quadrants[i], pixel, *values[i], 1.0);
-      }
-    }
+    values_[index(quadrant, 3) + pixel] = 1.0;
   }
 
   /// Channel c of a quadrant of so many pixels from `pixel` on, or (c = 3) 1 where there is a
@@ -41,15 +39,20 @@ class PilotRow {
     return Wide(&values_[index(quadrant, c) + pixel], stdx::element_aligned);
   }
 
+  /// Calls f(sample) for those of a pixel.
+  template <class F>
+  void each_of(std::size_t pixel, F&& f) const {
+    for (int q = 0; q < 4; ++q) {
+      const auto at = [&](int c) { return values_[index(q, c) + pixel]; };
+      if (at(3) != 0.0) {
+        f(Rgb(at(0), at(1), at(2)));
+      }
+    }
+  }
+
  private:
   std::size_t index(int quadrant, int c) const {
     return static_cast<std::size_t>(4 * quadrant + c) * stride_;
-  }
-  void put(int quadrant, std::size_t pixel, const Rgb& value, double there) {
-    for (int c = 0; c < 3; ++c) {
-      values_[index(quadrant, c) + pixel] = value[c];
-    }
-    values_[index(quadrant, 3) + pixel] = there;
   }
 
   std::size_t stride_;
@@ -127,13 +130,19 @@ class RowContrast {
   std::vector<SumsAbout> values_, squares_;  ///< by channel
 };
 
-/// The means of so many pixels' own first samples, from `pixel` on.
-inline Wide3 own_means(const PilotRow& row, std::size_t pixel) {
-  const auto sum = [&](int c) {
-    return (row.get(0, c, pixel) + row.get(1, c, pixel)) +
-           (row.get(2, c, pixel) + row.get(3, c, pixel));
-  };
-  return Wide3(sum(0), sum(1), sum(2)) / max(sum(3), Wide(1.0));
-}
+/// So many pixels' own first samples, from `pixel` on.
+struct OwnPilots {
+  OwnPilots(const PilotRow& row, std::size_t pixel) {
+    const auto sum = [&](int c) {
+      return (row.get(0, c, pixel) + row.get(1, c, pixel)) +
+             (row.get(2, c, pixel) + row.get(3, c, pixel));
+    };
+    number = sum(3);
+    mean = Wide3(sum(0), sum(1), sum(2)) / max(number, Wide(1.0));
+  }
+
+  Wide number;
+  Wide3 mean;
+};
 
 }  // namespace rt

@@ -73,6 +73,7 @@ Rendering::Rendering(const RenderPlan& plan, const Crop& crop)
       areas_(tiles_of(crop, adaptive() ? adaptive_edge : plain_edge)),
       finished_(areas_.size()),
       result_{Film(crop.width, crop.height), {}, {}, {}, {}, {}},
+      results_(result_, crop),
       samplers_(new Samplers{
           tbb::enumerable_thread_specific<PixelSampler>([&plan] { return PixelSampler(plan); })}) {
   if (adaptive()) {
@@ -192,12 +193,12 @@ void Rendering::tile_by_tile(const Deadline& deadline, const Until& until) {
   for_open_tiles(until, [&](std::size_t i, PixelSampler& sampler, RenderStatistics& statistics) {
     AdaptiveTile& tile = open_[i];
     if (!tile.begun()) {
-      tile.pilots(sampler, deadline, statistics);
+      tile.pilots(sampler, results_, deadline, statistics);
     }
     if (!tile.begun() || !tile.refine(sampler, plan_.options.max_error, deadline, statistics)) {
       return 0.0;
     }
-    keep(tile);
+    tile.give(results_);
     tile.release();
     finished_[i] = 1;
     return 1.0;
@@ -210,7 +211,7 @@ void Rendering::progressive(const Deadline& deadline, const Until& until) {
     if (open_[i].begun()) {
       return 0.0;
     }
-    open_[i].pilots(sampler, deadline, statistics);
+    open_[i].pilots(sampler, results_, deadline, statistics);
     return open_[i].begun() ? pilots_share : 0.0;
   });
   const double end = plan_.options.max_error;
@@ -222,27 +223,11 @@ void Rendering::progressive(const Deadline& deadline, const Until& until) {
       if (!tile.refine(sampler, std::max(target, end), deadline, statistics) || !last) {
         return 0.0;
       }
-      keep(tile);
+      tile.give(results_);
       tile.release();
       finished_[i] = 1;
       return 1.0 - pilots_share;
     });
-  }
-}
-
-void Rendering::keep(const AdaptiveTile& tile) {
-  const Crop& area = tile.area();
-  for (int y = area.y; y < area.y + area.height; ++y) {
-    for (int x = area.x; x < area.x + area.width; ++x) {
-      const PixelEstimate& e = tile.at(x, y);
-      result_.film.set(x - crop_.x, y - crop_.y, e.mean());
-      const std::size_t i =
-          static_cast<std::size_t>(y - crop_.y) * static_cast<std::size_t>(crop_.width) +
-          static_cast<std::size_t>(x - crop_.x);
-      result_.errors[i] = e.error;
-      result_.samples[i] = e.count;
-      result_.pilots[i] = e.pilots;
-    }
   }
 }
 
@@ -262,9 +247,7 @@ ReachedError Rendering::reached() const {
 RenderResult Rendering::take() {
   if (adaptive()) {
     for (const AdaptiveTile& tile : open_) {
-      if (tile.begun()) {
-        keep(tile);
-      }
+      tile.give(results_);
     }
     result_.reached = reached();
   }
@@ -277,10 +260,7 @@ std::size_t Rendering::state_bytes() const {
                       sizeof(float) * (result_.film.pixels.size() + result_.errors.size()) +
                       sizeof(std::uint32_t) * (result_.samples.size() + result_.pilots.size());
   for (const AdaptiveTile& tile : open_) {
-    const Crop& area = tile.area();
-    bytes += tile.begun() ? sizeof(PixelEstimate) * static_cast<std::size_t>(area.width) *
-                                static_cast<std::size_t>(area.height)
-                          : 0;
+    bytes += tile.begun() ? tile.state_bytes() : 0;
   }
   return bytes;
 }

@@ -8,7 +8,7 @@
 
 #include "rt/math/bytes.h"
 #include "rt/render/estimate.h"
-#include "rt/render/film.h"
+#include "rt/render/render.h"
 #include "rt/render/sample.h"
 
 namespace rt {
@@ -16,6 +16,9 @@ namespace rt {
 /// First samples of every pixel. With the neighbours' 16 they tell an even region from an edge
 /// (bench/NOTES.md).
 inline constexpr std::uint32_t pilot_samples = 2;
+
+class PilotRow;
+class RowContrast;
 
 /// When to stop before the error is reached: at a time, or when told to.
 class Deadline {
@@ -32,6 +35,30 @@ class Deadline {
   const std::atomic<bool>* stop_;
 };
 
+/// The pixels of a RenderResult, which tiles fill, each its own.
+class PixelResults {
+ public:
+  /// Of the crop's pixels.
+  PixelResults(RenderResult& result, const Crop& crop) : result_(result), crop_(crop) {}
+
+  /// At picture coordinates.
+  void set(int x, int y, const PixelEstimate& e);
+  /// Of `count` pixels in a row that took `pilots` samples.
+  void set_row(int x, int y, int count, const Wide3& means, const Wide& errors,
+               std::uint32_t pilots);
+  /// Takes back what an area was given.
+  void clear(const Crop& area);
+
+ private:
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y - crop_.y) * static_cast<std::size_t>(crop_.width) +
+           static_cast<std::size_t>(x - crop_.x);
+  }
+
+  RenderResult& result_;
+  Crop crop_;
+};
+
 /// The pixels of a tile, on their way to an error. Every pixel's samples depend on itself and on
 /// the pilots of its eight neighbours alone; those beyond the tile's edge are taken here again, so
 /// a pixel is the same in any tile.
@@ -40,34 +67,47 @@ class AdaptiveTile {
   explicit AdaptiveTile(const Crop& area) : area_(area) {}
 
   const Crop& area() const { return area_; }
-  /// Takes every pixel's first samples, and estimates errors. Told to stop it gives up: then there
-  /// are no pilots (begun() is false), and nothing has been counted.
-  void pilots(PixelSampler& sampler, const Deadline& deadline, RenderStatistics& statistics);
-  bool begun() const { return !pixels_.empty(); }
-  /// Doubles the samples of every pixel whose estimated error is above `target` until it is not, or
-  /// it has max_samples; true when all are there. Stops when time is up.
+  /// Takes every pixel's first samples, estimates errors, and gives what comes of that to
+  /// `results`; keeps those pixels that max_error asks more of. Told to stop it gives up: then
+  /// begun() is false, and nothing has been counted nor given.
+  void pilots(PixelSampler& sampler, PixelResults& results, const Deadline& deadline,
+              RenderStatistics& statistics);
+  bool begun() const { return begun_; }
+  /// Doubles the samples of every pixel whose estimated error is above `target` >= max_error until
+  /// it is not, or it has max_samples; true when all are there. Stops when time is up.
   bool refine(PixelSampler& sampler, double target, const Deadline& deadline,
               RenderStatistics& statistics);
+  /// Gives the pixels that are kept, as far as they are.
+  void give(PixelResults& results) const;
   /// Lets go of all pixels.
-  void release() { std::vector<PixelEstimate>().swap(pixels_); }
+  void release();
 
-  /// The pixels of the area, once begun: all that refine() needs.
+  /// The pixels that are kept, once begun: all that refine() needs.
   void save(ByteWriter& out) const;
+  /// How many bytes save() writes.
+  std::size_t state_bytes() const;
   /// Throws std::out_of_range for what cannot be pixels that may take `most` samples.
   void load(ByteReader& in, std::uint32_t most);
 
-  /// The estimate for a pixel of the area, at picture coordinates.
-  const PixelEstimate& at(int x, int y) const { return pixels_[index(x, y)]; }
-
  private:
-  std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>((y - area_.y) * area_.width + (x - area_.x));
-  }
-  void begin_row(PixelSampler& sampler, int y, std::span<const std::optional<Rgb>> values,
-                 RenderStatistics& statistics);
+  struct Open {
+    PixelEstimate estimate;
+    int x, y;  ///< in the picture
+  };
+
+  void take_rows(PixelSampler& sampler, int top, int bottom, std::span<PilotRow> rows,
+                 RenderStatistics& statistics) const;
+  void estimate_row(PixelSampler& sampler, int y, std::span<const PilotRow> rows,
+                    RowContrast& contrast, PixelResults& results, RenderStatistics& statistics);
+  void begin_pixel(PixelSampler& sampler, int x, int y, std::span<const std::optional<Rgb>> values,
+                   const Rgb& variance, float error, PixelResults& results,
+                   RenderStatistics& statistics);
+  static void double_samples(PixelSampler& sampler, std::span<Open* const> pixels,
+                             RenderStatistics& statistics);
 
   Crop area_;
-  std::vector<PixelEstimate> pixels_;  ///< row by row
+  bool begun_ = false;
+  std::vector<Open> open_;  ///< row by row
 };
 
 }  // namespace rt

@@ -41,8 +41,8 @@ class Rendering {
   /// The picture as far as it is: pixels that no tile has reached are black.
   RenderResult take();
 
-  /// What load() needs to go on from here: 12 bytes a pixel, or, adaptive, 24 and another 160 for
-  /// those in work (with a time limit, all).
+  /// What load() needs to go on from here: 12 bytes a pixel, or, adaptive, 24 and another 168 for
+  /// those in work (with a time limit, all) that their first samples did not settle.
   void save(ByteWriter& out) const;
   /// How many bytes save() writes.
   std::size_t state_bytes() const;
@@ -61,7 +61,6 @@ class Rendering {
                   const Until& until);
   void tile_by_tile(const Deadline& deadline, const Until& until);
   void progressive(const Deadline& deadline, const Until& until);
-  void keep(const AdaptiveTile& tile);
   ReachedError reached() const;
 
   const RenderPlan& plan_;
@@ -72,6 +71,7 @@ class Rendering {
   std::vector<std::uint8_t> finished_;  ///< by tile
   std::vector<AdaptiveTile> open_;      ///< by tile; holds pixels while in work
   RenderResult result_;
+  PixelResults results_;  ///< in `result_`
   double spent_ = 0.0;  ///< seconds in run()
   bool out_of_time_ = false;
 
