@@ -7,8 +7,11 @@ namespace rt {
 
 /// A bijection of 64 bits in which every input bit changes every output bit with probability near
 /// 1/2. Source: Stafford's variant 13 of the MurmurHash3 finaliser, as used by SplitMix64 (Steele,
-/// Lea, Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014).
-constexpr std::uint64_t mix64(std::uint64_t x) {
+/// Lea, Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014). U: 64 bits, or a
+/// vector of such.
+template <class U>
+constexpr U mix64(U x) {
+  static_assert(sizeof(x >> 1) % sizeof(std::uint64_t) == 0);
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
   x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
   return x ^ (x >> 31);
@@ -17,8 +20,9 @@ constexpr std::uint64_t mix64(std::uint64_t x) {
 /// 2^64 / golden ratio, odd: multiples of it are far apart, so small integers become good keys.
 inline constexpr std::uint64_t golden64 = 0x9e3779b97f4a7c15u;
 
-/// A key that depends on both arguments, and on their order.
-constexpr std::uint64_t combine(std::uint64_t key, std::uint64_t value) {
+/// A key that depends on both arguments, and on their order. U: as above.
+template <class U>
+constexpr U combine(std::uint64_t key, const U& value) {
   return mix64(key ^ mix64(value + golden64));
 }
 

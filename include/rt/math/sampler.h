@@ -66,7 +66,7 @@ class Sampler {
  public:
   /// x, y: the pixel's absolute position in the full picture, whatever the crop; may be negative.
   Sampler(std::uint64_t seed, int x, int y, std::uint32_t index)
-      : Sampler(key_of(seed, x, y), index) {}
+      : Sampler(combine(seed, place_of(x, y)), index) {}
 
   /// The same pixel's sample `index`. Any prefix 0..N-1 is good, powers of two are nets.
   Sampler at(std::uint32_t index) const { return Sampler(key_, index); }
@@ -91,9 +91,8 @@ class Sampler {
   Sampler(std::uint64_t key, std::uint32_t index)
       : key_(key), index_(index), point_(shuffled(index, key)) {}
 
-  static std::uint64_t key_of(std::uint64_t seed, int x, int y) {
-    return combine(
-        seed, (std::uint64_t{static_cast<std::uint32_t>(x)} << 32) | static_cast<std::uint32_t>(y));
+  static std::uint64_t place_of(int x, int y) {
+    return (std::uint64_t{static_cast<std::uint32_t>(x)} << 32) | static_cast<std::uint32_t>(y);
   }
 
   /// A permutation of the index that maps aligned blocks of 2^m to aligned blocks: an Owen

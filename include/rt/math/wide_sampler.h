@@ -12,17 +12,17 @@ class WideSampler {
   /// Draws nothing sensible before every lane has been set.
   WideSampler() = default;
 
-  /// Lane `lane` becomes sample `index` of pixel (x, y); lanes are set in order.
-  void set(int lane, std::uint64_t seed, int x, int y, std::uint32_t index) {
+  /// Lane `lane` becomes sample `index` of pixel (x, y).
+  void set(int lane, int x, int y, std::uint32_t index) {
     const auto i = static_cast<std::size_t>(lane);
-    const bool again = i > 0 && x == x_ && y == y_;
-    keys_[i] = again ? keys_[i - 1] : Sampler::key_of(seed, x, y);
-    x_ = x;
-    y_ = y;
+    places_[i] = Sampler::place_of(x, y);
     indices_[i] = index;
   }
   /// To be called when all lanes are set.
-  void begin() { points_ = shuffled(keys_); }
+  void begin(std::uint64_t seed) {
+    keys_ = combine(seed, Keys(places_.data(), stdx::element_aligned));
+    points_ = shuffled(keys_);
+  }
 
   /// Of one lane.
   Sampler lane(int i) const {
@@ -34,28 +34,18 @@ class WideSampler {
 
  private:
   using Words = stdx::rebind_simd_t<std::uint32_t, Wide>;
-  using Keys = std::array<std::uint64_t, lanes>;
-
-  /// Once for lanes side by side of one pixel.
-  static Keys mixed(const Keys& keys, std::uint64_t multiple) {
-    Keys out;
-    for (std::size_t i = 0; i < lanes; ++i) {
-      out[i] = i > 0 && keys[i] == keys[i - 1] ? out[i - 1] : mix64(keys[i] + multiple * golden64);
-    }
-    return out;
-  }
+  using Keys = stdx::rebind_simd_t<std::uint64_t, Wide>;
 
   static Words reverse(const Words& x) {
     const Words bytes = reverse_bits_of_bytes(x);
     return (bytes >> 24) | ((bytes >> 8) & 0xff00u) | ((bytes << 8) & 0xff0000u) | (bytes << 24);
   }
-  static Words words(const Keys& keys, int shift) {
-    return Words([&](auto i) { return static_cast<std::uint32_t>(keys[i] >> shift); });
-  }
+  /// The low halves.
+  static Words words(const Keys& keys) { return stdx::static_simd_cast<Words>(keys); }
 
   Words shuffled(const Keys& keys) const {
-    const Words seeds = words(mixed(keys, 255), 0);
-    const Words index([&](auto i) { return indices_[i]; });
+    const Words seeds = words(mix64(keys + 255 * golden64));
+    const Words index(indices_.data(), stdx::element_aligned);
     const Words low = reverse(owen_reversed(reverse(index << 16), seeds)) >> 16;
     return (index & 0xffff0000u) | low;
   }
@@ -78,14 +68,14 @@ class WideSampler {
     return (stdx::static_simd_cast<Wide>(bits) + 0.5) * 0x1p-32;
   }
   Wide2 draw2(const Keys& keys, const Words& points, std::uint64_t decision, int d0, int d1) const {
-    const Keys seeds = mixed(keys, decision + 1);
-    return {coordinate(points, d0, words(seeds, 0)), coordinate(points, d1, words(seeds, 32))};
+    const Keys seeds = mix64(keys + (decision + 1) * golden64);
+    return {coordinate(points, d0, words(seeds)), coordinate(points, d1, words(seeds >> 32))};
   }
 
-  Keys keys_{};
+  std::array<std::uint64_t, lanes> places_{};
   std::array<std::uint32_t, lanes> indices_{};
+  Keys keys_{std::uint64_t{0}};
   Words points_{0u};
-  int x_ = 0, y_ = 0;
 };
 
 }  // namespace rt

@@ -77,9 +77,9 @@ void PacketSampler::take_packet(std::span<const PixelSample> wanted,
   if (draws) {
     for (std::size_t i = 0; i < lanes; ++i) {
       const PixelSample& s = lane_of(i);
-      sampler.set(static_cast<int>(i), plan.options.seed, s.x, s.y, s.index);
+      sampler.set(static_cast<int>(i), s.x, s.y, s.index);
     }
-    sampler.begin();
+    sampler.begin(plan.options.seed);
     if (!centres) {
       const Wide2 u = sampler.pixel();
       const Wide2 by = filter_offset(plan.options.filter, u);

@@ -36,10 +36,10 @@ void run(Arguments& random, WideSampler& wide, PixelOf pixel_of) {
     const int x = base + pixel_of(i);
     const int y = 7 * base - pixel_of(i) / 2;
     const auto index = static_cast<std::uint32_t>(random.bits() >> random.bits() % 64);
-    wide.set(i, seed, x, y, index);
+    wide.set(i, x, y, index);
     alone[static_cast<std::size_t>(i)].emplace(seed, x, y, index);
   }
-  wide.begin();
+  wide.begin(seed);
   expect_same(wide, alone);
 }
 
