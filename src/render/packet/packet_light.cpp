@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "rt/math/rounding.h"
@@ -39,12 +41,13 @@ Wide3 reflected(const WidePhong& phong, const WideShadingPoint& point, const Wid
   Wide3 sum = phong.kd * n_dot_l;
   if (!is_black(phong.ks)) {
     const Wide r_dot_v = 2.0 * n_dot_l * dot(point.shading_normal, view) - dot(l, view);
-    const unsigned shining = bits_of(lit && r_dot_v > phong.least_r_dot_v) & bits;
+    const unsigned shining =
+        bits_of(lit && r_dot_v > phong.least_r_dot_v && max_abs(phong.ks) > 0.0) & bits;
     if (shining != 0) {
       Wide power(0.0);
       each_lane(shining, [&](int i) {
         const auto at = static_cast<std::size_t>(i);
-        power[at] = std::pow(r_dot_v[at], phong.shininess);
+        power[at] = std::pow(r_dot_v[at], phong.shininess[at]);
       });
       sum = select(mask_of(shining), sum + phong.ks * power, sum);
     }
@@ -52,13 +55,40 @@ Wide3 reflected(const WidePhong& phong, const WideShadingPoint& point, const Wid
   return select(lit && mask_of(bits), sum, Wide3(Wide(0.0)));
 }
 
-/// Whether none but what the points lie on may hide the light, and that cannot hide it from them.
-bool alone(const RenderPlan& plan, const WideShadingPoint& from, unsigned bits,
-           std::span<const std::uint32_t> blockers) {
-  return blockers.empty() ||
-         (blockers.size() == 1 && blockers[0] == from.instance &&
-          plan.instances[from.instance].convex && (bits & ~from.from_outside) == 0);
-}
+/// What may block, each instance once, with its lanes.
+class Blockers {
+ public:
+  /// Adds some that may block the lanes of `bits`, of points lit on the side that `from` shows: none
+  /// that a point lies on itself and that cannot hide anything from it.
+  void add(const RenderPlan& plan, std::span<const std::uint32_t> instances,
+           const WideShadingPoint& from, unsigned bits) {
+    for (const std::uint32_t id : instances) {
+      const unsigned open = bits & ~gone_for_good(plan, id, from.instance, from.from_outside);
+      if (open != 0) {
+        bits_of_one(id) |= open;
+        open_ |= open;
+      }
+    }
+  }
+  unsigned open() const { return open_; }
+  std::span<const Blocker> all() const { return {blockers_.data(), count_}; }
+
+ private:
+  unsigned& bits_of_one(std::uint32_t id) {
+    const auto end = blockers_.begin() + static_cast<std::ptrdiff_t>(count_);
+    const auto found =
+        std::find_if(blockers_.begin(), end, [&](const Blocker& b) { return b.instance == id; });
+    if (found == end) {
+      *end = {id, 0};
+      ++count_;
+    }
+    return found->bits;
+  }
+
+  std::array<Blocker, ShadowCache::most * lanes> blockers_;
+  std::size_t count_ = 0;
+  unsigned open_ = 0;
+};
 
 /// The lanes of `bits`, all lit, that see the light in `direction` at `reach`; adds to `dimming`
 /// those whose light may be dimmed.
@@ -69,21 +99,24 @@ unsigned seeing(const RenderPlan& plan, std::size_t index, const WideShadingPoin
   // A packet's way through a hierarchy costs less than keeping account of its cells; a list's boxes
   // are all tested by every search (bench/NOTES.md).
   unsigned unknown = plan.tree ? bits : 0;
+  Blockers blockers;
   for (unsigned rest = bits & ~unknown; rest != 0;) {
     const double cell = cells[static_cast<std::size_t>(std::countr_zero(rest))];
-    const Candidates blockers = cache.towards(index, static_cast<ShadowCache::Cell>(cell));
+    const Candidates candidates = cache.towards(index, static_cast<ShadowCache::Cell>(cell));
     const unsigned here = rest & bits_of(cells == cell);
     rest &= ~here;
-    if (!blockers.known) {
+    if (!candidates.known) {
       unknown |= here;
       continue;
     }
-    if (blockers.dims) {
+    if (candidates.dims) {
       dimming |= here;
     }
-    if (!alone(plan, from, here, blockers.instances)) {
-      hidden |= occluded_lanes_by(plan, blockers.instances, leave(from, direction, here), reach);
-    }
+    blockers.add(plan, candidates.instances, from, here);
+  }
+  if (blockers.open() != 0) {
+    hidden |= occluded_lanes_by(plan, blockers.all(), leave(from, direction, blockers.open()),
+                                reach);
   }
   if (unknown != 0) {
     hidden |= occluded_lanes(plan, leave(from, direction, unknown), reach);
@@ -100,10 +133,11 @@ Wide3 one_by_one(const RenderPlan& plan, std::size_t index, const WidePhong& pho
   Wide3 sum{Wide(0.0)};
   const WideSeenLight seen(point.position, plan.lights[index]);
   each_lane(bits, [&](int i) {
-    const Phong one{phong.kd.lane(i), phong.ks.lane(i), phong.shininess, phong.least_r_dot_v};
+    const auto at = static_cast<std::size_t>(i);
+    const Phong one{phong.kd.lane(i), phong.ks.lane(i), phong.shininess[at],
+                    phong.least_r_dot_v[at]};
     sum.set(i, direct_light(plan, index, seen.lane(i), one, point.lane(i), view.lane(i),
-                            sampler.lane(i), vertex, negligible[static_cast<std::size_t>(i)], cache,
-                            counts));
+                            sampler.lane(i), vertex, negligible[at], cache, counts));
   });
   return sum;
 }

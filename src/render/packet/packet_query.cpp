@@ -16,7 +16,7 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 /// for a single ray: query.cpp.
 template <class Map>
 Wide error_in_model(const Map& map, const Packet& packet) {
-  if (packet.instance == no_instance) {
+  if (!packet.from_surface) {
     return 0.0;
   }
   const double stretch = map.model_per_render();
@@ -65,18 +65,21 @@ WideHit meet_again(const RenderPlan& plan, const PlannedInstance& instance, cons
   return {WideMask(false), mask_of(~gone & all_lanes), Wide(0.0), Wide(0.0)};
 }
 
-/// Whether all lanes in `bits` have left that instance and cannot meet it again.
-bool left_for_good(const PlannedInstance& instance, std::uint32_t id, const Packet& packet,
-                   unsigned bits) {
-  return packet.instance == id && instance.convex && (bits & ~packet.outward) == 0;
-}
-
 /// The crossings of those lanes of the packet that are in `bits`; none is left undecided.
 WideHit crossings(const RenderPlan& plan, std::uint32_t id, const Packet& packet, unsigned bits,
                   const Wide& t_max) {
   const PlannedInstance& instance = plan.instances[id];
-  WideHit found = packet.instance == id ? meet_again(plan, instance, packet, t_max)
-                                        : meet(plan, instance, packet, t_max);
+  const unsigned again = packet.from_surface ? lanes_where(packet.instance, id) & bits : 0;
+  WideHit found = again == bits ? meet_again(plan, instance, packet, t_max)
+                                : meet(plan, instance, packet, t_max);
+  if (again != 0 && again != bits) {
+    const WideMask left = mask_of(again);
+    const WideHit next = meet_again(plan, instance, packet, t_max);
+    found.hit = (found.hit && !left) || (next.hit && left);
+    found.undecided = (found.undecided && !left) || (next.undecided && left);
+    found.t = select(left, next.t, found.t);
+    found.feature = select(left, next.feature, found.feature);
+  }
   unsigned hit = bits_of(found.hit) & bits;
   const unsigned undecided = bits_of(found.undecided) & bits;
   if (undecided != 0) {
@@ -167,9 +170,9 @@ unsigned occluded_lanes(const RenderPlan& plan, const Packet& packet, const Wide
   unsigned found = 0;
   Wide limit = t_max;
   each_candidate(plan, packet, t_max, [&](std::uint32_t id, unsigned bits) {
-    const PlannedInstance& instance = plan.instances[id];
-    if (may_block(instance) && !left_for_good(instance, id, packet, bits)) {
-      found |= bits_of(crossings(plan, id, packet, bits & ~found, t_max).hit);
+    bits &= ~(found | gone_for_good(plan, id, packet.instance, packet.outward));
+    if (bits != 0 && may_block(plan.instances[id])) {
+      found |= bits_of(crossings(plan, id, packet, bits, t_max).hit);
       limit = select(mask_of(found), Wide(-1.0), t_max);
     }
     return limit;
@@ -177,20 +180,21 @@ unsigned occluded_lanes(const RenderPlan& plan, const Packet& packet, const Wide
   return found & packet.active;
 }
 
-unsigned occluded_lanes_by(const RenderPlan& plan, std::span<const std::uint32_t> instances,
+unsigned occluded_lanes_by(const RenderPlan& plan, std::span<const Blocker> blockers,
                            const Packet& packet, const Wide& t_max) {
   unsigned found = 0;
-  for (const std::uint32_t id : instances) {
-    const unsigned open = packet.active & ~found;
-    if (open == 0) {
-      break;
-    }
-    const PlannedInstance& instance = plan.instances[id];
-    if (may_block(instance) && !left_for_good(instance, id, packet, open)) {
+  for (const auto& [id, bits] : blockers) {
+    const unsigned open = bits & ~found;
+    if (open != 0 && may_block(plan.instances[id])) {
       found |= bits_of(crossings(plan, id, packet, open, t_max).hit);
     }
   }
   return found;
+}
+
+unsigned gone_for_good(const RenderPlan& plan, std::uint32_t instance, const Ids& left,
+                       unsigned outward) {
+  return plan.instances[instance].convex ? lanes_where(left, instance) & outward : 0;
 }
 
 }  // namespace rt

@@ -13,7 +13,7 @@ ShadingPoint WideShadingPoint::lane(int i) const {
   p.shading_normal = shading_normal.lane(i);
   p.side = (from_outside >> i & 1U) != 0 ? Leaving::outward : Leaving::inward;
   p.position_error = position_error[at];
-  p.instance = instance;
+  p.instance = instance[at];
   p.feature = static_cast<std::uint32_t>(feature[at]);
   p.time = 0.0;
   return p;
@@ -49,12 +49,11 @@ WideShadingPoint point_on(const S& shape, const Map& map, const Packet& packet,
   return point;
 }
 
-}  // namespace
-
-WideShadingPoint shading_points(const RenderPlan& plan, const Packet& packet,
-                                const PacketHits& hits, std::uint32_t id, unsigned bits) {
+/// The hits of those lanes of `bits`, all of instance `id`.
+WideShadingPoint points_of_one(const RenderPlan& plan, const Packet& packet,
+                               const PacketHits& hits, std::uint32_t id, unsigned bits) {
   const PlannedInstance& instance = plan.instances[id];
-  WideShadingPoint point = plan.visit(instance, [&](const auto& shape) {
+  return plan.visit(instance, [&](const auto& shape) {
     if constexpr (WideShape<std::decay_t<decltype(shape)>>) {
       return plan.map(instance, 0.0,
                       [&](const auto& map) { return point_on(shape, map, packet, hits); });
@@ -66,9 +65,31 @@ WideShadingPoint shading_points(const RenderPlan& plan, const Packet& packet,
       return one_by_one;
     }
   });
-  point.instance = id;
-  point.feature = hits.feature;
-  return point;
+}
+
+/// Takes the lanes of `bits` from `other`.
+void take(WideShadingPoint& points, const WideShadingPoint& other, unsigned bits) {
+  const WideMask mask = mask_of(bits);
+  points.position = select(mask, other.position, points.position);
+  points.normal = select(mask, other.normal, points.normal);
+  points.shading_normal = select(mask, other.shading_normal, points.shading_normal);
+  points.position_error = select(mask, other.position_error, points.position_error);
+  points.from_outside = (points.from_outside & ~bits) | (other.from_outside & bits);
+}
+
+}  // namespace
+
+WideShadingPoint shading_points(const RenderPlan& plan, const Packet& packet,
+                                const PacketHits& hits, unsigned bits) {
+  const std::uint32_t first = hits.instance[static_cast<std::size_t>(std::countr_zero(bits))];
+  const unsigned same = lanes_where(hits.instance, first) & bits;
+  WideShadingPoint points = points_of_one(plan, packet, hits, first, same);
+  each_instance(hits.instance, bits & ~same, [&](std::uint32_t id, unsigned next) {
+    take(points, points_of_one(plan, packet, hits, id, next), next);
+  });
+  points.instance = hits.instance;
+  points.feature = hits.feature;
+  return points;
 }
 
 Packet leave(const WideShadingPoint& from, const Wide3& direction, unsigned bits) {
@@ -76,6 +97,7 @@ Packet leave(const WideShadingPoint& from, const Wide3& direction, unsigned bits
   return {{from.position, direction},
           bits,
           from.position_error,
+          true,
           from.instance,
           from.feature,
           ~(to_seen_side ^ from.from_outside) & all_lanes};

@@ -16,25 +16,53 @@ Wide3 mirrored(const WideShadingPoint& point, const Wide3& direction) {
   return select(dot(r, point.normal) > 0.0, r, reflect(direction, point.normal));
 }
 
+/// What the surfaces in the lanes are made of; textures resolved.
 struct WideLook {
   Wide3 kd, ks;
   Wide opacity;
+  Wide shininess, least_r_dot_v;
+  Wide3 emission, reflectivity;
+
+  explicit WideLook(const PlannedMaterial& m)
+      : kd(m.plain.kd),
+        ks(m.plain.ks),
+        opacity(m.plain.opacity),
+        shininess(m.shininess),
+        least_r_dot_v(m.least_r_dot_v),
+        emission(m.emission),
+        reflectivity(m.reflectivity) {}
+
+  void take(const WideLook& other, unsigned bits) {
+    const WideMask mask = mask_of(bits);
+    kd = select(mask, other.kd, kd);
+    ks = select(mask, other.ks, ks);
+    opacity = select(mask, other.opacity, opacity);
+    shininess = select(mask, other.shininess, shininess);
+    least_r_dot_v = select(mask, other.least_r_dot_v, least_r_dot_v);
+    emission = select(mask, other.emission, emission);
+    reflectivity = select(mask, other.reflectivity, reflectivity);
+  }
 };
 
 }  // namespace
 
-/// Points of one instance where paths go on, and how.
-struct PacketTracer::Scatter {
+/// The points that paths have come to.
+struct PacketTracer::Surfaces {
   const Path& path;
-  const WideShadingPoint& point;
-  const PlannedMaterial& material;
-  const WideLook& look;
-  unsigned bits;
-  Wide n1{1.0}, n2{1.0};
-  bool divided = false;
-  bool chosen = false;
+  WideShadingPoint point;
+  WideLook look;
+  Wide n1{1.0}, n2{1.0};  ///< indices before and behind what is transmissive
 
   const Wide3& direction() const { return path.packet.ray.direction; }
+};
+
+/// Where paths go on, and how: from surfaces of one material, or any that only mirror perfectly.
+struct PacketTracer::Scatter {
+  const Surfaces& from;
+  const PowerCosineLobe* lobe;  ///< null: none
+  unsigned bits;
+  bool divided = false;
+  bool chosen = false;
 };
 
 bool PacketTracer::serves(const RenderPlan& plan) {
@@ -69,20 +97,9 @@ void PacketTracer::follow(const Path& path) {
   const PacketHits hits = path.depth == 0 && sight_.known
                               ? closest_hits_among(plan_, sight_.instances, path.packet)
                               : closest_hits(plan_, path.packet);
-  unsigned missed = 0;
-  for (unsigned rest = path.packet.active; rest != 0;) {
-    const std::uint32_t instance = hits.instance[static_cast<std::size_t>(std::countr_zero(rest))];
-    unsigned same = 0;
-    each_lane(rest, [&](int i) {
-      const bool one = hits.instance[static_cast<std::size_t>(i)] == instance;
-      same |= static_cast<unsigned>(one) << i;
-    });
-    rest &= ~same;
-    if (instance == no_instance) {
-      missed = same;
-    } else {
-      shade(path, hits, instance, same);
-    }
+  const unsigned missed = lanes_where(hits.instance, no_instance) & path.packet.active;
+  if (missed != path.packet.active) {
+    shade(path, hits, path.packet.active & ~missed);
   }
   if (missed != 0) {
     const Background& b = plan_.options.background;
@@ -91,55 +108,83 @@ void PacketTracer::follow(const Path& path) {
   }
 }
 
-void PacketTracer::shade(const Path& path, const PacketHits& hits, std::uint32_t id,
-                         unsigned bits) {
-  WideShadingPoint point = shading_points(plan_, path.packet, hits, id, bits);
-  const PlannedInstance& instance = plan_.instances[id];
-  const PlannedMaterial& material = plan_.materials[instance.material];
-  WideLook look{material.plain.kd, material.plain.ks, material.plain.opacity};
-  if (material.textures) {
-    each_lane(bits, [&](int i) {
-      ShadingPoint one = point.lane(i);
-      const Reflectances r =
-          textured(plan_, path.packet.lane(i), hits.lane(i), material, nullptr, one);
-      point.set(i, one);
-      look.kd.set(i, r.kd);
-      look.ks.set(i, r.ks);
-      look.opacity[static_cast<std::size_t>(i)] = r.opacity;
-    });
-  }
-  Scatter at{path, point, material, look, bits};
-  const bool deepest = path.depth >= plan_.options.max_depth;
-  if (material.transmissive) {
-    const unsigned displaced = find_media(at);
-    if (displaced != 0 && !deepest) {
-      add(at, displaced, at.direction(), path.throughput, false);
+void PacketTracer::shade(const Path& path, const PacketHits& hits, unsigned bits) {
+  const auto material_of = [&](std::uint32_t id) -> const PlannedMaterial& {
+    return plan_.material_of(plan_.instances[id]);
+  };
+  const std::uint32_t first = hits.instance[static_cast<std::size_t>(std::countr_zero(bits))];
+  Surfaces at{path, shading_points(plan_, path.packet, hits, bits), WideLook(material_of(first))};
+  unsigned displaced = 0;
+  unsigned mirrors = 0;
+  each_instance(hits.instance, bits, [&](std::uint32_t id, unsigned same) {
+    const PlannedMaterial& material = material_of(id);
+    if (id != first) {
+      at.look.take(WideLook(material), same);
     }
-    at.bits &= ~displaced;
+    if (material.textures) {
+      resolve_textures(at, material, hits, same);
+    }
+    if (material.transmissive) {
+      displaced |= find_media(at, id, material, same);
+    } else if (!material.lobe) {
+      mirrors |= same;
+    }
+  });
+  const bool deepest = path.depth >= plan_.options.max_depth;
+  if (displaced != 0 && !deepest) {
+    const Scatter through{at, nullptr, displaced};
+    add(through, displaced, at.direction(), path.throughput, false);
   }
-  if (at.bits == 0) {
+  bits &= ~displaced;
+  if (bits == 0) {
     return;
   }
-  sum_ = select(mask_of(at.bits), sum_ + path.throughput * surface(at), sum_);
-  if (!deepest) {
-    scatter(at);
+  sum_ = select(mask_of(bits), sum_ + path.throughput * surface(at, bits), sum_);
+  if (deepest) {
+    return;
   }
+  if (mirrors != 0 && plan_.options.reflection) {
+    reflect({at, nullptr, mirrors}, mirrors, path.throughput * at.look.reflectivity);
+  }
+  each_instance(hits.instance, bits & ~mirrors, [&](std::uint32_t id, unsigned same) {
+    const PlannedMaterial& material = material_of(id);
+    Scatter one{at, material.lobe ? &*material.lobe : nullptr, same};
+    if (material.transmissive) {
+      scatter_glass(one);
+    } else if (plan_.options.reflection) {
+      reflect(one, same, path.throughput * at.look.reflectivity);
+    }
+  });
 }
 
-/// The indices before and behind the surface; the lanes where another medium displaces the
-/// instance's own.
-unsigned PacketTracer::find_media(Scatter& at) {
-  const std::uint32_t id = at.point.instance;
+void PacketTracer::resolve_textures(Surfaces& at, const PlannedMaterial& material,
+                                    const PacketHits& hits, unsigned bits) {
+  each_lane(bits, [&](int i) {
+    ShadingPoint one = at.point.lane(i);
+    const Reflectances r =
+        textured(plan_, at.path.packet.lane(i), hits.lane(i), material, nullptr, one);
+    at.point.set(i, one);
+    at.look.kd.set(i, r.kd);
+    at.look.ks.set(i, r.ks);
+    at.look.opacity[static_cast<std::size_t>(i)] = r.opacity;
+  });
+}
+
+/// The indices before and behind the surface of `id`; the lanes where another medium displaces its
+/// own.
+unsigned PacketTracer::find_media(Surfaces& at, std::uint32_t id, const PlannedMaterial& material,
+                                  unsigned bits) {
   const std::span<const std::uint32_t> candidates = plan_.media_about(id);
   if (candidates.size() == 1 && candidates[0] == id) {
     // The usual case: nothing transmissive is near but the solid itself.
+    const WideMask here = mask_of(bits);
     const WideMask from_outside = mask_of(at.point.from_outside);
-    at.n1 = select(from_outside, Wide(1.0), Wide(at.material.ior));
-    at.n2 = select(from_outside, Wide(at.material.ior), Wide(1.0));
+    at.n1 = select(here, select(from_outside, Wide(1.0), Wide(material.ior)), at.n1);
+    at.n2 = select(here, select(from_outside, Wide(material.ior), Wide(1.0)), at.n2);
     return 0;
   }
   unsigned displaced = 0;
-  each_lane(at.bits, [&](int i) {
+  each_lane(bits, [&](int i) {
     const auto l = static_cast<std::size_t>(i);
     const Media media = media_about(plan_, at.point.lane(i), at.direction().lane(i));
     displaced |= static_cast<unsigned>(hides(plan_, media, id)) << i;
@@ -149,36 +194,31 @@ unsigned PacketTracer::find_media(Scatter& at) {
   return displaced;
 }
 
-Wide3 PacketTracer::surface(const Scatter& at) {
-  const WidePhong phong{at.look.kd * at.look.opacity, at.look.ks, at.material.shininess,
-                        at.material.least_r_dot_v};
+Wide3 PacketTracer::surface(const Surfaces& at, unsigned bits) {
+  const WidePhong phong{at.look.kd * at.look.opacity, at.look.ks, at.look.shininess,
+                        at.look.least_r_dot_v};
   const Wide negligible =
       negligible_light(plan_.options, plan_.lights.size()) / largest(at.path.throughput);
-  Wide3 sum = Wide3(at.material.emission) + phong.kd * Wide3(plan_.ambient);
+  Wide3 sum = at.look.emission + phong.kd * Wide3(plan_.ambient);
   const Wide cells = shadow_cache_.cells_of(at.point.position);
   const auto lights = static_cast<std::uint32_t>(plan_.lights.size());
   for (std::uint32_t i = 0; i < lights; ++i) {
     const Vertex vertex{at.path.vertex.order, at.path.vertex.copy * lights + i};
-    sum += direct_light(plan_, i, phong, at.point, at.bits, cells, -at.direction(), *sampler_,
-                        vertex, negligible, shadow_cache_, *counts_);
+    sum += direct_light(plan_, i, phong, at.point, bits, cells, -at.direction(), *sampler_, vertex,
+                        negligible, shadow_cache_, *counts_);
   }
   return sum;
 }
 
-void PacketTracer::scatter(Scatter& at) {
-  if (!at.material.transmissive) {
-    if (plan_.options.reflection) {
-      reflect(at, at.bits, at.path.throughput * Wide3(at.material.reflectivity));
-    }
-    return;
-  }
-  const Wide cos_i = min(Wide(1.0), abs(dot(at.direction(), at.point.shading_normal)));
-  const Wide f = fresnel(cos_i, at.n1, at.n2);
-  divide(at, plan_.options.reflection ? f : Wide(0.0), (1.0 - at.look.opacity) * (1.0 - f));
+void PacketTracer::scatter_glass(Scatter& at) {
+  const Surfaces& from = at.from;
+  const Wide cos_i = min(Wide(1.0), abs(dot(from.direction(), from.point.shading_normal)));
+  const Wide f = fresnel(cos_i, from.n1, from.n2);
+  divide(at, plan_.options.reflection ? f : Wide(0.0), (1.0 - from.look.opacity) * (1.0 - f));
 }
 
 void PacketTracer::divide(Scatter& at, const Wide& reflected, const Wide& transmitted) {
-  const Wide3& throughput = at.path.throughput;
+  const Wide3& throughput = at.from.path.throughput;
   const Wide total = reflected + transmitted;
   const Wide p = select(total > 0.0, reflected / total, Wide(0.0));
   unsigned both = at.bits;
@@ -199,7 +239,7 @@ void PacketTracer::divide(Scatter& at, const Wide& reflected, const Wide& transm
     at.chosen = true;
     unsigned mirror = 0;
     each_lane(one, [&](int i) {
-      const double u = sampler_->lane(i).lobe_choice(at.path.vertex);
+      const double u = sampler_->lane(i).lobe_choice(at.from.path.vertex);
       mirror |= static_cast<unsigned>(u < p[static_cast<std::size_t>(i)]) << i;
     });
     reflect(at, mirror, throughput * total);
@@ -212,15 +252,15 @@ void PacketTracer::reflect(const Scatter& at, unsigned bits, const Wide3& throug
   if (bits == 0) {
     return;
   }
-  Wide3 direction = mirrored(at.point, at.direction());
-  if (!at.material.lobe) {
+  Wide3 direction = mirrored(at.from.point, at.from.direction());
+  if (at.lobe == nullptr) {
     add(at, bits, direction, throughput, false);
     return;
   }
   Wide3 weighted = throughput;
   each_lane(bits, [&](int i) {
-    const auto s = at.material.lobe->sample(sampler_->lane(i).lobe(at.path.vertex),
-                                            direction.lane(i), at.point.normal.lane(i));
+    const auto s = at.lobe->sample(sampler_->lane(i).lobe(at.from.path.vertex),
+                                            direction.lane(i), at.from.point.normal.lane(i));
     direction.set(i, s.direction);
     weighted.set(i, throughput.lane(i) * s.weight);
   });
@@ -233,25 +273,25 @@ void PacketTracer::transmit(const Scatter& at, unsigned bits, const Wide3& throu
     return;
   }
   WideMask through;
-  Wide3 ahead = refract(at.direction(), at.point.shading_normal, at.n1, at.n2, through);
+  Wide3 ahead = refract(at.from.direction(), at.from.point.shading_normal, at.from.n1, at.from.n2, through);
   bits &= bits_of(through);
   // On meshes a shading normal may send a ray back out; then the geometric one decides.
-  if (const unsigned back = bits & ~bits_of(dot(ahead, at.point.normal) < 0.0)) {
+  if (const unsigned back = bits & ~bits_of(dot(ahead, at.from.point.normal) < 0.0)) {
     WideMask geometric;
-    const Wide3 straight = refract(at.direction(), at.point.normal, at.n1, at.n2, geometric);
-    ahead = select(mask_of(back), select(geometric, straight, at.direction()), ahead);
+    const Wide3 straight = refract(at.from.direction(), at.from.point.normal, at.from.n1, at.from.n2, geometric);
+    ahead = select(mask_of(back), select(geometric, straight, at.from.direction()), ahead);
   }
   if (bits == 0) {
     return;
   }
-  if (!at.material.lobe) {
+  if (at.lobe == nullptr) {
     add(at, bits, ahead, throughput, false);
     return;
   }
   Wide3 weighted = throughput;
   each_lane(bits, [&](int i) {
-    const auto s = at.material.lobe->sample(sampler_->lane(i).lobe(at.path.vertex), ahead.lane(i),
-                                            -at.point.normal.lane(i));
+    const auto s = at.lobe->sample(sampler_->lane(i).lobe(at.from.path.vertex), ahead.lane(i),
+                                            -at.from.point.normal.lane(i));
     ahead.set(i, s.direction);
     weighted.set(i, throughput.lane(i) * s.weight);
   });
@@ -260,7 +300,7 @@ void PacketTracer::transmit(const Scatter& at, unsigned bits, const Wide3& throu
 
 void PacketTracer::add(const Scatter& at, unsigned bits, const Wide3& direction,
                        const Wide3& throughput, bool drawn) {
-  const unsigned outward = bits_of(dot(direction, at.point.normal) > 0.0);
+  const unsigned outward = bits_of(dot(direction, at.from.point.normal) > 0.0);
   const Wide weight = largest(throughput);
   const unsigned faint = bits_of(weight < negligible_);
   for (const bool out : {true, false}) {
@@ -268,7 +308,7 @@ void PacketTracer::add(const Scatter& at, unsigned bits, const Wide3& direction,
     if (here == 0) {
       continue;
     }
-    Vertex vertex = at.path.vertex;
+    Vertex vertex = at.from.path.vertex;
     if (at.divided) {
       vertex.copy = 2 * vertex.copy + (out ? 2 : 1);
     }
@@ -296,7 +336,7 @@ void PacketTracer::push(const Scatter& at, unsigned bits, const Wide3& direction
   }
   (outward ? counts_->reflection : counts_->refraction) +=
       static_cast<unsigned>(std::popcount(bits));
-  open_.push_back({leave(at.point, direction, bits), throughput, vertex, at.path.depth + 1});
+  open_.push_back({leave(at.from.point, direction, bits), throughput, vertex, at.from.path.depth + 1});
 }
 
 }  // namespace rt

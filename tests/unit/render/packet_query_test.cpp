@@ -66,37 +66,32 @@ void compare(const RenderPlan& plan, const Packet& packet, Random& random, Tally
   });
 }
 
-/// The points of each instance that was met, and rays from them: anywhere, or along the surface.
+/// The points that were met, and rays from them: anywhere, or along the surface.
 void go_on(const RenderPlan& plan, const Packet& packet, Random& random, Tally& tally) {
   const PacketHits found = closest_hits(plan, packet);
-  for (unsigned rest = packet.active; rest != 0;) {
-    const std::uint32_t id = found.instance[static_cast<std::size_t>(std::countr_zero(rest))];
-    unsigned bits = 0;
-    each_lane(rest, [&](int i) {
-      bits |= static_cast<unsigned>(found.instance[static_cast<std::size_t>(i)] == id) << i;
-    });
-    rest &= ~bits;
-    if (id == no_instance) {
-      continue;
-    }
-    const WideShadingPoint from = shading_points(plan, packet, found, id, bits);
-    Wide3 direction;
-    for (int i = 0; i < lanes; ++i) {
-      const Vec3 any = random.direction();
-      const Vec3 along = glm::cross(from.normal.lane(i), any) + 1e-7 * random.direction();
-      direction.set(i, random.uniform(0, 1) < 0.5 ? any : glm::normalize(along));
-    }
-    const Packet next = leave(from, direction, bits);
-    each_lane(bits, [&](int i) {
-      const ShadingPoint one = shading_point(plan, packet.lane(i), found.lane(i));
-      ASSERT_EQ(from.position.lane(i), one.position);
-      ASSERT_EQ(from.normal.lane(i), one.normal);
-      ASSERT_EQ(from.shading_normal.lane(i), one.shading_normal);
-      ASSERT_EQ(from.lane(i).position_error, one.position_error);
-      ASSERT_EQ(next.lane(i).leaving, leave(one, direction.lane(i)).leaving);
-    });
-    compare(plan, next, random, tally);
+  const unsigned bits = packet.active & ~lanes_where(found.instance, no_instance);
+  if (bits == 0) {
+    return;
   }
+  const WideShadingPoint from = shading_points(plan, packet, found, bits);
+  Wide3 direction;
+  for (int i = 0; i < lanes; ++i) {
+    const Vec3 any = random.direction();
+    const Vec3 along = glm::cross(from.normal.lane(i), any) + 1e-7 * random.direction();
+    direction.set(i, random.uniform(0, 1) < 0.5 ? any : glm::normalize(along));
+  }
+  const Packet next = leave(from, direction, bits);
+  each_lane(bits, [&](int i) {
+    const auto at = static_cast<std::size_t>(i);
+    const ShadingPoint one = shading_point(plan, packet.lane(i), found.lane(i));
+    ASSERT_EQ(from.position.lane(i), one.position);
+    ASSERT_EQ(from.normal.lane(i), one.normal);
+    ASSERT_EQ(from.shading_normal.lane(i), one.shading_normal);
+    ASSERT_EQ(from.lane(i).position_error, one.position_error);
+    ASSERT_EQ(next.lane(i).leaving, leave(one, direction.lane(i)).leaving);
+    ASSERT_EQ(next.lane(i).instance, found.instance[at]);
+  });
+  compare(plan, next, random, tally);
 }
 
 TEST(PacketQuery, AnswersAsForEachRayAlone) {

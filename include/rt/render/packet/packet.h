@@ -5,21 +5,40 @@
 
 namespace rt {
 
-/// As many rays as a vector register holds doubles. Those from a surface have all left the same
-/// instance.
+/// An instance for each lane.
+using Ids = stdx::rebind_simd_t<std::uint32_t, Wide>;
+
+inline unsigned lanes_where(const Ids& ids, std::uint32_t id) {
+  const Ids::mask_type same = ids == id;
+  return static_cast<unsigned>(same.__to_bitset().to_ulong());
+}
+
+/// Calls visit(instance, lanes) for every instance that lanes of `bits` have.
+template <class Visit>
+void each_instance(const Ids& ids, unsigned bits, Visit&& visit) {
+  while (bits != 0) {
+    const std::uint32_t id = ids[static_cast<std::size_t>(std::countr_zero(bits))];
+    const unsigned same = lanes_where(ids, id) & bits;
+    visit(id, same);
+    bits &= ~same;
+  }
+}
+
+/// As many rays as a vector register holds doubles: from the camera, or all from surfaces.
 struct Packet {
   WideRay ray;          ///< in render space; directions of unit length
   unsigned active = 0;  ///< the lanes that hold a ray
   Wide position_error{0.0};
-  std::uint32_t instance = no_instance;  ///< that all have left
-  Wide feature{0.0};                     ///< of it; as all features here, a whole number
-  unsigned outward = 0;                  ///< the lanes that have left it outward; the others inward
+  bool from_surface = false;
+  Ids instance{no_instance};  ///< that they have left
+  Wide feature{0.0};          ///< of it; as all features here, a whole number
+  unsigned outward = 0;       ///< the lanes that have left it outward; the others inward
 
   TraceRay lane(int i) const {
     TraceRay r{ray.origin.lane(i), ray.direction.lane(i)};
-    if (instance != no_instance) {
+    if (from_surface) {
       const auto at = static_cast<std::size_t>(i);
-      r.instance = instance;
+      r.instance = instance[at];
       r.feature = static_cast<std::uint32_t>(feature[at]);
       r.leaving = (outward >> i & 1U) != 0 ? Leaving::outward : Leaving::inward;
       r.position_error = position_error[at];
@@ -32,7 +51,7 @@ struct Packet {
 struct PacketHits {
   Wide t{std::numeric_limits<double>::infinity()};
   Wide feature{0.0};
-  std::array<std::uint32_t, lanes> instance;  ///< no_instance: none
+  Ids instance{no_instance};  ///< no_instance: none
 
   SceneHit lane(int i) const {
     const auto at = static_cast<std::size_t>(i);

@@ -16,8 +16,16 @@ PacketHits closest_hits_among(const RenderPlan& plan, std::span<const std::uint3
 
 /// The lanes of `active` whose rays something that blocks shadow rays crosses with 0 < t <= t_max.
 unsigned occluded_lanes(const RenderPlan& plan, const Packet& packet, const Wide& t_max);
-/// The same, when only these instances can.
-unsigned occluded_lanes_by(const RenderPlan& plan, std::span<const std::uint32_t> instances,
+/// The same, when only these instances can, each in its own lanes.
+struct Blocker {
+  std::uint32_t instance;
+  unsigned bits;  ///< of its lanes
+};
+unsigned occluded_lanes_by(const RenderPlan& plan, std::span<const Blocker> blockers,
                            const Packet& packet, const Wide& t_max);
+
+/// The lanes that have left that instance and cannot meet it again.
+unsigned gone_for_good(const RenderPlan& plan, std::uint32_t instance, const Ids& left,
+                       unsigned outward);
 
 }  // namespace rt

@@ -6,22 +6,22 @@
 
 namespace rt {
 
-/// Hits of one instance: as ShadingPoint.
+/// As ShadingPoint, with an instance for each lane.
 struct WideShadingPoint {
   Wide3 position;
   Wide3 normal, shading_normal;
   unsigned from_outside = 0;  ///< lanes whose ray came from the outer side
   Wide position_error;
-  std::uint32_t instance = no_instance;
+  Ids instance{no_instance};
   Wide feature;
 
   ShadingPoint lane(int i) const;
   void set(int i, const ShadingPoint& point);
 };
 
-/// The hits of those lanes of `bits`, all of one instance.
+/// The hits of those lanes of `bits`.
 WideShadingPoint shading_points(const RenderPlan& plan, const Packet& packet,
-                                const PacketHits& hits, std::uint32_t instance, unsigned bits);
+                                const PacketHits& hits, unsigned bits);
 
 /// Rays from those lanes, which know what they leave and to which side.
 Packet leave(const WideShadingPoint& from, const Wide3& direction, unsigned bits);
@@ -29,8 +29,8 @@ Packet leave(const WideShadingPoint& from, const Wide3& direction, unsigned bits
 /// As Phong, textures resolved in every lane.
 struct WidePhong {
   Wide3 kd, ks;
-  double shininess;
-  double least_r_dot_v;
+  Wide shininess;
+  Wide least_r_dot_v;
 };
 
 /// Light `index` reflected towards `view`; 0 in lanes that are not of `bits`. `cells`: where the

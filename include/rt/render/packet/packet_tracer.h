@@ -7,8 +7,8 @@
 
 namespace rt {
 
-/// Follows the paths of as many samples as a register holds doubles, as long as they meet the same
-/// things; where they part, the packet divides. Each sample's radiance is that of Tracer, bit for
+/// Follows the paths of as many samples as a register holds doubles. What they meet is lit together,
+/// whatever it is; where they part in glass, the packet divides. Each sample's radiance is that of Tracer, bit for
 /// bit: the same operations in the same order. For scenes where nothing moves, no medium absorbs
 /// and no texture asks for footprints.
 class PacketTracer {
@@ -29,13 +29,17 @@ class PacketTracer {
     Vertex vertex;
     int depth;
   };
+  struct Surfaces;
   struct Scatter;
 
   void follow(const Path& path);
-  void shade(const Path& path, const PacketHits& hits, std::uint32_t instance, unsigned bits);
-  unsigned find_media(Scatter& at);
-  Wide3 surface(const Scatter& at);
-  void scatter(Scatter& at);
+  void shade(const Path& path, const PacketHits& hits, unsigned bits);
+  void resolve_textures(Surfaces& at, const PlannedMaterial& material, const PacketHits& hits,
+                        unsigned bits);
+  unsigned find_media(Surfaces& at, std::uint32_t id, const PlannedMaterial& material,
+                      unsigned bits);
+  Wide3 surface(const Surfaces& at, unsigned bits);
+  void scatter_glass(Scatter& at);
   void divide(Scatter& at, const Wide& reflected, const Wide& transmitted);
   void reflect(const Scatter& at, unsigned bits, const Wide3& throughput);
   void transmit(const Scatter& at, unsigned bits, const Wide3& throughput);
