@@ -71,10 +71,12 @@ Rgb NestedTracer::radiance(const TraceRay& ray, double y, int depth) {
     return glm::mix(plan_.options.background.top, plan_.options.background.bottom, y);
   }
   const ShadingPoint point = shading_point(plan_, ray, *hit);
-  const PlannedMaterial& material = plan_.materials[plan_.instances[hit->instance].material];
-  Rgb sum = material.emission + material.plain.kd * plan_.ambient;
+  const PlannedInstance& instance = plan_.instances[hit->instance];
+  const PlannedMaterial& material = plan_.material_of(instance);
+  const Reflectances plain = plan_.plain(instance);
+  Rgb sum = material.emission + plain.kd * plan_.ambient;
   for (std::size_t i = 0; i < plan_.lights.size(); ++i) {
-    sum += lit(i, point, material, ray.direction);
+    sum += lit(i, point, plain, material, ray.direction);
   }
   if (depth < plan_.options.max_depth && max_abs(material.reflectivity) > 0.0) {
     sum += material.reflectivity * reflected(point, material, ray.direction, y, depth);
@@ -82,10 +84,9 @@ Rgb NestedTracer::radiance(const TraceRay& ray, double y, int depth) {
   return sum;
 }
 
-Rgb NestedTracer::lit(std::size_t light, const ShadingPoint& point, const PlannedMaterial& material,
-                      const Vec3& direction) {
-  const Phong phong{material.plain.kd, material.plain.ks, material.shininess,
-                    material.least_r_dot_v};
+Rgb NestedTracer::lit(std::size_t light, const ShadingPoint& point, const Reflectances& plain,
+                      const PlannedMaterial& material, const Vec3& direction) {
+  const Phong phong{plain.kd, plain.ks, material.shininess, material.least_r_dot_v};
   const bool extended = plan_.lights[light].rectangle || plan_.lights[light].radius > 0.0;
   const int count = extended ? nesting_.nest : 1;
   const Draws draws = stratum_ != nullptr ? Draws(*stratum_) : decide();

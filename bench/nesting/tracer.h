@@ -27,8 +27,8 @@ class NestedTracer {
   Draws decide() { return {nesting_.spread, ++sets_}; }
   Vec2 place(int cell);
   Rgb radiance(const TraceRay& ray, double y, int depth);
-  Rgb lit(std::size_t light, const ShadingPoint& point, const PlannedMaterial& material,
-          const Vec3& direction);
+  Rgb lit(std::size_t light, const ShadingPoint& point, const Reflectances& plain,
+          const PlannedMaterial& material, const Vec3& direction);
   Rgb reflected(const ShadingPoint& point, const PlannedMaterial& material, const Vec3& direction,
                 double y, int depth);
 

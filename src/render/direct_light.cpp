@@ -71,7 +71,7 @@ Rgb dimmed(const RenderPlan& plan, const ShadingPoint& from, const Vec3& way, do
     if (!hides(plan, media_about(plan, at, way), hit->instance)) {
       // Towards a point of light the footprint narrows evenly.
       const double width = from.footprint * std::max(0.0, rest - hit->t) / reach;
-      const PlannedMaterial& material = plan.materials[plan.instances[hit->instance].material];
+      const PlannedMaterial& material = plan.material_of(plan.instances[hit->instance]);
       share *= 1.0 - opacity_at(plan, ray, *hit, material, width);
     }
     rest -= hit->t;

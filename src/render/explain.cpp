@@ -35,7 +35,7 @@ struct Counts {
 Counts counts_of(const RenderPlan& plan) {
   Counts c;
   for (const PlannedInstance& i : plan.instances) {
-    const PlannedMaterial& m = plan.materials[i.material];
+    const PlannedMaterial& m = plan.material_of(i);
     ++c.kinds[plan.visit(i, [](const auto& s) { return shape_kind(s); })];
     c.moving += i.moves() ? 1 : 0;
     c.textured += m.textures ? 1 : 0;
@@ -74,7 +74,7 @@ std::string scene(const RenderPlan& plan, const Counts& c) {
 }
 
 std::string search(const RenderPlan& plan) {
-  const std::string boxes = counted(plan.bounded.size(), "box");
+  const std::string boxes = counted(plan.bounded, "box");
   if (plan.list) {
     return boxes + " in a list, tested eight at a time: " +
            (plan.options.accel == AccelChoice::list ? "as asked for"
@@ -86,7 +86,7 @@ std::string search(const RenderPlan& plan) {
   if (plan.grid) {
     return boxes + " in a uniform grid, as asked for";
   }
-  return plan.bounded.empty() ? "nothing that a box could hold" : "shapes one by one, as asked for";
+  return plan.bounded == 0 ? "nothing that a box could hold" : "shapes one by one, as asked for";
 }
 
 std::string pixels(const RenderOptions& o) {
@@ -106,9 +106,9 @@ std::string chosen(const RenderPlan& plan, const Counts& c) {
   const RenderOptions& o = plan.options;
   Part part("What it needs, and what was chosen for it:");
   part.line("search", search(plan));
-  if (!plan.unbounded.empty()) {
+  if (!plan.unbounded().empty()) {
     part.line("planes",
-              counted(plan.unbounded.size(), "plane") + " without end, tested by every ray");
+              counted(plan.unbounded().size(), "plane") + " without end, tested by every ray");
   }
   const auto meshes =
       std::ranges::count_if(plan.mesh_trees, [](const auto& tree) { return tree != nullptr; });

@@ -47,9 +47,10 @@ Blockers::Blockers(const RenderPlan& plan, const Candidates& candidates, const S
         others.add(id);
         return;
       }
-      const double reach = max_abs(point.position) + map.render_per_model() * max_abs(map.to_model);
-      convex[convex_count++] = {id, map.model_vector(point.position) + map.to_model,
-                                point.position_error + gamma(16) * reach};
+      const double reach = max_abs(point.position) + map.render_per_model() * map.model_offset();
+      convex[convex_count++] = {
+          id, map.model_point(point.position),
+          point.position_error + gamma(4 + std::decay_t<decltype(map)>::roundings) * reach};
     });
   }
 }

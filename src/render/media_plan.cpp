@@ -7,6 +7,7 @@ namespace {
 
 struct Medium {
   std::uint32_t id;
+  std::uint32_t order;
   Bounds box;
   double volume;
 };
@@ -26,12 +27,12 @@ std::vector<Medium> media_of(const RenderPlan& plan) {
   std::vector<Medium> media;
   for (std::uint32_t id = 0; id < plan.instances.size(); ++id) {
     const PlannedInstance& instance = plan.instances[id];
-    if (!plan.material_of(instance).transmissive) {
+    if (!instance.clear) {
       continue;
     }
     const Bounds box = box_of(plan, instance);
     if (!box.empty()) {
-      media.push_back({id, box, volume(box)});
+      media.push_back({id, instance.order, box, volume(box)});
     }
   }
   std::ranges::sort(media, {}, [](const Medium& m) { return m.box.lo.x; });
@@ -54,7 +55,7 @@ void find_media(RenderPlan& plan) {
   for (std::uint32_t id = 0; id < plan.instances.size(); ++id) {
     const PlannedInstance& instance = plan.instances[id];
     found.clear();
-    if (plan.absorbs || plan.material_of(instance).transmissive) {
+    if (plan.absorbs || instance.clear) {
       const Bounds box = box_of(plan, instance);
       // None that begins further left than the widest is wide can reach the box.
       auto m = std::ranges::lower_bound(media, box.lo.x - widest, {},
@@ -66,7 +67,7 @@ void find_media(RenderPlan& plan) {
       }
     }
     std::ranges::sort(found, [](const Medium* a, const Medium* b) {
-      return a->volume != b->volume ? a->volume < b->volume : a->id > b->id;
+      return a->volume != b->volume ? a->volume < b->volume : a->order > b->order;
     });
     const auto begin = static_cast<std::uint32_t>(plan.media.size());
     for (const Medium* m : found) {

@@ -72,19 +72,19 @@ bool hides(const RenderPlan& plan, const Media& media, std::uint32_t instance) {
 }
 
 double index_of(const RenderPlan& plan, std::uint32_t medium) {
-  return medium == no_instance ? 1.0 : plan.materials[plan.instances[medium].material].ior;
+  return medium == no_instance ? 1.0 : plan.material_of(plan.instances[medium]).ior;
 }
 
 Rgb transmittance(const RenderPlan& plan, std::uint32_t medium, double distance) {
   if (medium == no_instance) {
     return Rgb(1.0);
   }
-  const Rgb& absorption = plan.materials[plan.instances[medium].material].absorption;
+  const Rgb& absorption = plan.material_of(plan.instances[medium]).absorption;
   return glm::exp(-absorption * distance);
 }
 
 Rgb transmittance_beyond(const RenderPlan& plan, const TraceRay& ray) {
-  for (const std::uint32_t id : std::views::reverse(plan.unbounded)) {  // as media_about() orders
+  for (const std::uint32_t id : std::views::reverse(plan.unbounded())) {  // as media_about() orders
     const PlannedMaterial& material = plan.material_of(plan.instances[id]);
     if (material.transmissive && inside(plan, id, ray)) {
       return 1.0 - glm::step(std::numeric_limits<double>::min(), material.absorption);

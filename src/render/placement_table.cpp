@@ -1,14 +1,16 @@
 #include "rt/render/placement_table.h"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "rt/math/hash.h"
+#include "rt/math/rounding.h"
 
 namespace rt {
 namespace {
 
-constexpr std::uint32_t none = ~0U;
-constexpr std::size_t recent = 1024;  ///< a power of 2
+constexpr std::size_t recent = 256;  ///< a power of 2
 
 bool is_multiple(const Mat3& m) { return m == Mat3(m[0][0]); }
 
@@ -22,6 +24,27 @@ std::size_t hash_of(const Mat3& m) {
     }
   }
   return mix64(hash) % recent;
+}
+
+/// The factor f such that the transpose of m times f^2 is its inverse, as TurnedMap wants it; 0 if
+/// there is none. In extended precision, which leaves rounding what f and m already have of it.
+double factor_of_turn(const Mat3& m) {
+  using Long = long double;
+  const auto product = [&](int i, int j) {
+    return Long(m[i].x) * m[j].x + Long(m[i].y) * m[j].y + Long(m[i].z) * m[j].z;
+  };
+  const Long square = (product(0, 0) + product(1, 1) + product(2, 2)) / 3;
+  const auto f = static_cast<double>(1 / std::sqrt(square));
+  const Long factor = Long(f) * f;
+  Long off = 0;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      off = std::max(off, std::abs(product(i, j) * factor - (i == j ? 1 : 0)));
+    }
+  }
+  // Where the square of f is not a number that has all its bits there is none, either.
+  const bool normal = std::isnormal(f * f) && std::isnormal(1 / f);
+  return normal && off <= Long(12 * unit_roundoff) ? f : 0.0;
 }
 
 template <class T>
@@ -39,16 +62,26 @@ std::size_t bytes_of(const std::vector<T>& v) {
 
 Placement MovedMap::placement() const {
   Placement p;
-  p.render_from_model.offset = to_render;
-  p.model_from_render.offset = to_model;
+  p.render_from_model.offset = offset;
+  p.model_from_render.offset = -offset;
   p.moved_only = true;
   return p;
 }
 
 Placement ScaledMap::placement() const {
   Placement p;
-  p.render_from_model = {Mat3(render_factor), to_render};
-  p.model_from_render = {Mat3(model_factor), to_model};
+  p.render_from_model = {Mat3(render_factor), offset};
+  p.model_from_render = {Mat3(model_factor), model_factor * -offset};
+  p.render_per_model = render_per_model();
+  p.model_per_render = model_per_render();
+  return p;
+}
+
+Placement TurnedMap::placement() const {
+  Placement p;
+  p.render_from_model = {to_render, offset};
+  p.model_from_render = {(model_factor * model_factor) * glm::transpose(to_render),
+                         model_vector(-offset)};
   p.render_per_model = render_per_model();
   p.model_per_render = model_per_render();
   return p;
@@ -56,7 +89,7 @@ Placement ScaledMap::placement() const {
 
 Placement LinearMap::placement() const {
   Placement p;
-  p.render_from_model = {parts.to_render, to_render};
+  p.render_from_model = {parts.to_render, offset};
   p.model_from_render = {parts.to_model, to_model};
   p.render_per_model = parts.render_per_model;
   p.model_per_render = parts.model_per_render;
@@ -64,36 +97,42 @@ Placement LinearMap::placement() const {
 }
 
 PlacementTable::Id PlacementTable::add(const Placement& placement) {
-  const auto& [to_render, render_offset] = placement.render_from_model;
-  const auto& [to_model, model_offset] = placement.model_from_render;
+  const auto& [to_render, offset] = placement.render_from_model;
+  const Mat3& to_model = placement.model_from_render.linear;
   if (placement.moved_only) {
     // What is placed by its own parameters is moved from the eye, all of it alike.
-    const MovedMap map{render_offset, model_offset};
+    const MovedMap map{offset};
     const bool again = !moved_.empty() && moved_.back() == map;
     const auto last = static_cast<std::uint32_t>(moved_.size()) - 1;
     return {MapKind::moved, again ? last : appended(moved_, map)};
   }
   if (is_multiple(to_render) && is_multiple(to_model)) {
-    return {MapKind::scaled,
-            appended(scaled_, {render_offset, model_offset, to_render[0][0], to_model[0][0]})};
+    return {MapKind::scaled, appended(scaled_, {offset, to_render[0][0], to_model[0][0]})};
   }
-  return {MapKind::linear, appended(linear_, {render_offset, model_offset, parts_of(placement)})};
+  return add_linear(placement);
+}
+
+/// Linear parts that come again are kept once; of a turn that does not, less is kept.
+PlacementTable::Id PlacementTable::add_linear(const Placement& placement) {
+  const auto& [to_render, offset] = placement.render_from_model;
+  const auto& [to_model, model_offset] = placement.model_from_render;
+  recent_.resize(recent);
+  Met& met = recent_[hash_of(to_render)];
+  if (met.to_render != to_render || met.to_model != to_model) {
+    met = {to_render, to_model, none};
+    if (const double factor = factor_of_turn(to_render); factor > 0.0) {
+      return {MapKind::turned, appended(turned_, {offset, to_render, factor})};
+    }
+  }
+  if (met.parts == none) {
+    met.parts = appended(
+        parts_, {to_render, to_model, placement.render_per_model, placement.model_per_render});
+  }
+  return {MapKind::linear, appended(linear_, {offset, model_offset, met.parts})};
 }
 
 PlacementTable::Id PlacementTable::add(const Placement& at_open, PlannedMotion motion) {
   return {MapKind::moving, appended(moving_, {at_open, std::move(motion)})};
-}
-
-std::uint32_t PlacementTable::parts_of(const Placement& placement) {
-  const Mat3& to_render = placement.render_from_model.linear;
-  const Mat3& to_model = placement.model_from_render.linear;
-  recent_parts_.resize(recent, none);
-  std::uint32_t& last = recent_parts_[hash_of(to_render)];
-  if (last == none || parts_[last].to_render != to_render || parts_[last].to_model != to_model) {
-    last = appended(parts_,
-                    {to_render, to_model, placement.render_per_model, placement.model_per_render});
-  }
-  return last;
 }
 
 Placement PlacementTable::at_open(MapKind kind, std::uint32_t index) const {
@@ -109,8 +148,8 @@ std::size_t PlacementTable::bytes() const {
   for (const Moving& m : moving_) {
     keys += bytes_of(m.motion.keys);
   }
-  return bytes_of(moved_) + bytes_of(scaled_) + bytes_of(linear_) + bytes_of(parts_) +
-         bytes_of(moving_) + bytes_of(recent_parts_) + keys;
+  return bytes_of(moved_) + bytes_of(scaled_) + bytes_of(turned_) + bytes_of(linear_) +
+         bytes_of(parts_) + bytes_of(moving_) + bytes_of(recent_) + keys;
 }
 
 }  // namespace rt

@@ -1,5 +1,6 @@
 #include "rt/render/plan.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -11,6 +12,7 @@
 #include "rt/render/accel/box_list.h"
 #include "rt/render/accel/box_tree.h"
 #include "rt/render/accel/grid.h"
+#include "rt/render/arranged.h"
 #include "rt/render/thin.h"
 
 namespace rt {
@@ -53,9 +55,7 @@ class Planner {
       plan_.moves = true;
       plan_.moving_camera = std::make_unique<const Camera>(job_.camera);
     }
-    const std::size_t most = job_.instances.size() + job_.lights.size();
-    plan_.instances.reserve(most);
-    plan_.bounded.reserve(most);
+    plan_.instances.reserve(job_.instances.size() + job_.lights.size());
     for (const Instance& instance : job_.instances) {
       place(instance);
     }
@@ -65,8 +65,9 @@ class Planner {
     if (plan_.absorbs) {
       let_clear_glass_dim();
     }
-    find_media(plan_);
     choose_search();
+    arrange();
+    find_media(plan_);
     if (fixed_samples(plan_.options) == 0 && plan_.options.aa == AntiAliasing::adaptive) {
       plan_.thin = find_thin(plan_);
     }
@@ -85,22 +86,34 @@ class Planner {
   }
 
   void choose_search() {
-    const auto box = [this](std::uint32_t i) {
-      return box_of(plan_, plan_.instances[plan_.bounded[i]]);
-    };
+    const auto no_end = std::ranges::stable_partition(
+        plan_.instances, [this](const auto& i) { return box_of(plan_, i).finite(); });
+    plan_.bounded = static_cast<std::uint32_t>(plan_.instances.size() - no_end.size());
+    const auto box = [this](std::uint32_t i) { return box_of(plan_, plan_.instances[i]); };
     const auto boxes = [&] {
       std::vector<Bounds> all;
-      all.reserve(plan_.bounded.size());
-      for (std::uint32_t i = 0; i < plan_.bounded.size(); ++i) {
+      all.reserve(plan_.bounded);
+      for (std::uint32_t i = 0; i < plan_.bounded; ++i) {
         all.push_back(box(i));
       }
       return all;
     };
-    switch (search_for(plan_.options, plan_.bounded.size())) {
-      case Search::tree:
+    switch (search_for(plan_.options, plan_.bounded)) {
+      case Search::tree: {
         // Boxes are made again, not kept: ten million of them are half a gigabyte.
-        plan_.tree = std::make_unique<BoxTree>(all_bounded_, plan_.bounded.size(), box);
+        auto tree = std::make_unique<BoxTree>(all_bounded_, plan_.bounded, box);
+        const std::vector<std::uint32_t> order = tree->arrange();
+        plan_.tree = std::move(tree);
+        std::vector<PlannedInstance> arranged;
+        arranged.reserve(plan_.instances.size());
+        prefer_large_pages(arranged);
+        for (const std::uint32_t i : order) {
+          arranged.push_back(plan_.instances[i]);
+        }
+        arranged.insert(arranged.end(), no_end.begin(), no_end.end());
+        plan_.instances = std::move(arranged);
         break;
+      }
       case Search::list:
         plan_.list = std::make_unique<BoxList>(boxes());
         break;
@@ -110,9 +123,27 @@ class Planner {
       case Search::one_by_one:
         break;
     }
-    if (extended_lights_ && !plan_.list && !plan_.tree && !plan_.bounded.empty()) {
+    if (extended_lights_ && !plan_.list && !plan_.tree && plan_.bounded > 0) {
       plan_.shaft_list = std::make_unique<BoxList>(boxes());
     }
+  }
+
+  /// What instances are made of, in their order.
+  void arrange() {
+    const auto each = [this](auto&& visit) {
+      for (PlannedInstance& instance : plan_.instances) {
+        visit(instance);
+      }
+    };
+    plan_.placements.arrange([&](MapKind kind, auto&& visit) {
+      each([&](PlannedInstance& i) { i.map == kind ? visit(i.placement) : void(); });
+    });
+    plan_.shapes.arrange([&](std::size_t kind, auto&& visit) {
+      each([&](PlannedInstance& i) { i.kind == kind ? visit(i.shape) : void(); });
+    });
+    arrange_table(plan_.coats, [&](auto&& visit) {
+      each([&](PlannedInstance& i) { visit(i.coat); });
+    });
   }
 
   void place(Light light) {
@@ -163,23 +194,24 @@ class Planner {
 
   void place(const Instance& from) {
     PlannedInstance to;
+    to.order = placed_++;
     to.kind = static_cast<std::uint8_t>(from.shape->index());
     to.shape = shape(from.shape);
     to.convex = convex(*from.shape);
-    to.material = materials_.index_of(from);
+    to.coat = materials_.coat_of(from);
+    to.clear = plan_.material_of(to).transmissive;
     to.shadow = shadow_of(plan_.material_of(to));
     plan_.dims |= to.shadow == Shadow::dims;
     const Bounds model_box = model_box_of(plan_, to);
+    if (model_box.empty()) {
+      return;  // a mesh without triangles
+    }
     locate(from, model_box, to);
-    const auto id = static_cast<std::uint32_t>(plan_.instances.size());
-    plan_.instances.push_back(to);
     const Bounds box = box_of(plan_, to);
     if (box.finite()) {
-      plan_.bounded.push_back(id);
       all_bounded_.extend(box);
-    } else if (!model_box.empty()) {
-      plan_.unbounded.push_back(id);
     }
+    plan_.instances.push_back(to);
   }
 
   void locate(const Instance& from, const Bounds& model_box, PlannedInstance& to) {
@@ -218,7 +250,7 @@ class Planner {
   /// Where some medium absorbs, clear glass displaces it: shadow rays have to meet its surface.
   void let_clear_glass_dim() {
     for (PlannedInstance& instance : plan_.instances) {
-      if (plan_.material_of(instance).transmissive) {
+      if (instance.clear) {
         instance.shadow = Shadow::dims;
       }
     }
@@ -264,8 +296,9 @@ class Planner {
   Vec3 eye_{0.0};  ///< when the shutter opens
   RenderPlan plan_;
   MaterialPlanner materials_{job_, plan_};
+  std::uint32_t placed_ = 0;
   bool extended_lights_ = false;
-  Bounds all_bounded_;  ///< holds plan_.bounded
+  Bounds all_bounded_;  ///< holds what is bounded
   std::array<std::pair<std::shared_ptr<const Shape>, std::uint32_t>, 64> recent_shapes_{};
   std::unordered_map<const MeshData*, std::uint32_t> meshes_;
 };

@@ -18,11 +18,11 @@ ModelRay to_model(const RenderPlan& plan, std::uint32_t id, const TraceRay& ray)
   return plan.map(plan.instances[id], ray.time, [&](const auto& map) {
     ModelRay model{map.model_ray({ray.origin, ray.direction}), {}};
     if (ray.instance != no_instance) {
-      // The origin's own error, stretched by the map, and the rounding of the map (three products
-      // and three sums in each of three components).
+      // The origin's own error, stretched by the map, and the rounding of the map.
       const double stretch = map.model_per_render();
-      const double reach = stretch * max_abs(ray.origin) + max_abs(map.to_model);
-      model.start.position_error = stretch * ray.position_error + gamma(12) * reach;
+      const double reach = stretch * max_abs(ray.origin) + map.model_offset();
+      model.start.position_error =
+          stretch * ray.position_error + gamma(std::decay_t<decltype(map)>::roundings) * reach;
       if (ray.instance == id) {
         model.start.leaving = ray.leaving;
         model.start.feature = ray.feature;
@@ -78,7 +78,8 @@ class Nearest {
       nearest_ = hit.t;
       limit_ = std::min(limit_, hit.t + tie * (hit.t + origin_));
     }
-    if (winner_.t > limit_ || precedes(hit.instance, winner_.instance)) {
+    if (winner_.t > limit_ || winner_.instance == no_instance ||
+        plan_.instances[hit.instance].precedes(plan_.instances[winner_.instance])) {
       winner_ = hit;
     }
   }
@@ -88,16 +89,6 @@ class Nearest {
   }
 
  private:
-  /// Which of two instances owns a surface that they share: the opaque one, else the first.
-  bool precedes(std::uint32_t a, std::uint32_t b) const {
-    if (b == no_instance) {
-      return true;
-    }
-    const bool clear_a = plan_.materials[plan_.instances[a].material].transmissive;
-    const bool clear_b = plan_.materials[plan_.instances[b].material].transmissive;
-    return clear_a != clear_b ? clear_b : a < b;
-  }
-
   const RenderPlan& plan_;
   double origin_;
   double nearest_ = std::numeric_limits<double>::infinity();
@@ -109,22 +100,21 @@ class Nearest {
 /// the new t_max, a negative one ends the search.
 template <class Visit>
 void each_candidate(const RenderPlan& plan, const Ray& ray, double t_max, Visit visit) {
-  for (const std::uint32_t id : plan.unbounded) {
+  for (const std::uint32_t id : plan.unbounded()) {
     t_max = visit(id);
     if (t_max < 0.0) {
       return;
     }
   }
-  auto visit_box = [&](std::uint32_t index) { return visit(plan.bounded[index]); };
   if (plan.list) {
-    plan.list->walk(ray, t_max, visit_box);
+    plan.list->walk(ray, t_max, visit);
   } else if (plan.tree) {
-    plan.tree->walk_unit(ray, t_max, visit_box);
+    plan.tree->walk_unit(ray, t_max, visit);
   } else if (plan.grid) {
-    plan.grid->walk(ray, t_max, visit_box);
+    plan.grid->walk(ray, t_max, visit);
   } else {
-    for (std::uint32_t index = 0; index < plan.bounded.size() && t_max >= 0.0; ++index) {
-      t_max = visit_box(index);
+    for (std::uint32_t id = 0; id < plan.bounded && t_max >= 0.0; ++id) {
+      t_max = visit(id);
     }
   }
 }

@@ -46,8 +46,8 @@ std::optional<std::uint32_t> solid_around(const RenderPlan& plan, const Vec3& po
 /// Of a planned instance. The shapes of visible lights, which follow those of the job, are no
 /// walls.
 bool is_opaque(const RenderJob& job, const RenderPlan& plan, std::uint32_t instance) {
-  return instance < job.instances.size() &&
-         !plan.material_of(plan.instances[instance]).transmissive;
+  const PlannedInstance& planned = plan.instances[instance];
+  return planned.order < job.instances.size() && !planned.clear;
 }
 
 /// What camera rays on a coarse grid meet.

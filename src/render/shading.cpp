@@ -35,7 +35,7 @@ ShadingPoint shading_point(const RenderPlan& plan, const TraceRay& ray, const Sc
     // The refined point lies on the surface to a few roundings of its own coordinates; the map to
     // render space adds three products and three sums a component.
     point.position_error =
-        gamma(16) * (map.render_per_model() * max_abs(p.position) + max_abs(map.to_render));
+        gamma(16) * (map.render_per_model() * max_abs(p.position) + max_abs(map.offset));
     // Mirroring turns triangles inside out, but not their normals: the outward side stays outward.
     point.normal = map.render_normal(p.normal);
     point.shading_normal =

@@ -160,7 +160,7 @@ void tilt(TexturePoint& at, const TextureSet& textures, const Placement& placeme
   point.shading_normal = facing(n, -direction, point.normal);
 }
 
-double opacity_of(TexturePoint& at, const TextureSet& textures, const Material& material) {
+double opacity_of(TexturePoint& at, const TextureSet& textures, const PlannedMaterial& material) {
   const auto& texture = textures[TextureSlot::opacity].texture;
   return texture ? std::clamp(grey(at.value(*texture)), 0.0, 1.0) : material.opacity;
 }
@@ -192,7 +192,8 @@ Reflectances textured(const RenderPlan& plan, const TraceRay& ray, const SceneHi
   tilt(at, textures, *placement, ray.direction, point);
   const auto& kd = textures[TextureSlot::kd].texture;
   const auto& ks = textures[TextureSlot::ks].texture;
-  return {kd ? at.value(*kd) : material.kd, ks ? at.value(*ks) : material.ks,
+  const Reflectances plain = plan.plain(plan.instances[hit.instance]);
+  return {kd ? at.value(*kd) : plain.kd, ks ? at.value(*ks) : plain.ks,
           opacity_of(at, textures, material)};
 }
 
@@ -206,7 +207,8 @@ double opacity_at(const RenderPlan& plan, const TraceRay& ray, const SceneHit& h
   // A disc of that width, whatever way the surface is turned.
   const Vec3 any = std::abs(p.normal.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 0, 1);
   const Vec3 side = glm::normalize(glm::cross(p.normal, any));
-  const double in_model = width * placement->model_per_render;
+  const double in_model =
+      width * std::cbrt(std::abs(glm::determinant(placement->model_from_render.linear)));
   TexturePoint at(plan, hit, p, in_model * side, in_model * glm::cross(p.normal, side));
   return opacity_of(at, *material.textures, material);
 }

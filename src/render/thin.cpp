@@ -208,8 +208,7 @@ double ThinBoxes::coverage(const Beam& beam, double t_max) const {
 
 std::unique_ptr<const ThinThings> find_thin(const RenderPlan& plan) {
   auto thin = std::make_unique<ThinThings>();
-  for (const std::uint32_t id : plan.bounded) {
-    const PlannedInstance& instance = plan.instances[id];
+  for (const PlannedInstance& instance : std::span(plan.instances).first(plan.bounded)) {
     if (!instance.moves()) {  // what moves is a blur anyway
       add_parts(plan, parts_of(plan, instance), instance.shadow == Shadow::blocks, *thin);
     }

@@ -105,7 +105,7 @@ void Tracer::follow(Path& path) {
     path.throughput *= transmittance(plan_, media.before, hit->t);
   }
   const bool deepest = path.depth >= plan_.options.max_depth;
-  const Scatter at{path, point, material, direction, look ? *look : material.plain, media};
+  const Scatter at{path, point, material, direction, look ? *look : plan_.plain(plan_.instances[hit->instance]), media};
   if (material.transmissive && hides(plan_, media, hit->instance)) {
     if (!deepest) {
       add(at, direction, path.throughput, false);

@@ -15,6 +15,7 @@ class PowerCosineLobe {
   explicit PowerCosineLobe(double exponent);
 
   double exponent() const { return exponent_; }
+  bool operator==(const PowerCosineLobe&) const = default;
 
   /// M as a function of cos = m.n >= 0; in [1/2, 1]. Relative error below 1e-12.
   double mass_above(double cos_theta) const;

@@ -2,6 +2,7 @@
 /// What is rendered: a RenderJob compiled to flat arrays, in render space.
 #include <memory>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <vector>
 
@@ -26,14 +27,30 @@ struct Reflectances {
   double opacity;
 };
 
-/// A material and the textures that drive it, with what follows from them, options considered.
-struct PlannedMaterial : Material {
+/// A material but for its colour kd, and the textures that drive it, with what follows from them,
+/// options considered. The numbers are Material's.
+struct PlannedMaterial {
+  Rgb ks, reflectivity, absorption, emission;
+  double shininess, ior, opacity;
   std::shared_ptr<const TextureSet> textures;  ///< those in force; null: none
-  Reflectances plain{};                        ///< where no texture drives any of it
   bool transmissive = false;                   ///< opacity < 1: glass
   double least_r_dot_v = 0.0;                  ///< below it no highlight reaches negligible_light()
   std::optional<PowerCosineLobe> lobe;  ///< spreads reflection and transmission; none: perfect
+
+  bool operator==(const PlannedMaterial&) const = default;
 };
+
+/// What an instance is made of. Many that differ in colour alone share the rest. 28 bytes, for there
+/// may be a million.
+struct [[gnu::packed, gnu::aligned(4)]] Coat {
+  double red, green, blue;  ///< kd
+  std::uint32_t material;
+
+  Coat(const Rgb& kd, std::uint32_t other)
+      : red(kd.r), green(kd.g), blue(kd.b), material(other) {}
+  Rgb kd() const { return {red, green, blue}; }
+};
+static_assert(sizeof(Coat) == 28);
 
 /// The contribution of one of `count` lights that is left out: all together, a quarter of an 8-bit
 /// step where the display is steepest, at the default max_error.
@@ -52,12 +69,18 @@ enum class Shadow : std::uint8_t {
 struct PlannedInstance {
   std::uint32_t placement = 0;  ///< among those of `map`
   std::uint32_t shape = 0;      ///< among those of `kind`
-  std::uint32_t material = 0;
+  std::uint32_t coat = 0;
+  std::uint32_t order = 0;  ///< in the script: of two clear or two opaque ones the first owns a surface
   MapKind map = MapKind::moved;
   std::uint8_t kind = 0;  ///< the shape's place in the variant Shape
   Shadow shadow = Shadow::blocks;
-  bool convex = false;  ///< a ray that has left it outward never meets it again
+  bool convex : 1 = false;  ///< a ray that has left it outward never meets it again
+  bool clear : 1 = false;   ///< its material is transmissive
 
+  /// Whether it owns a surface that it shares with another: the opaque one does, else the first.
+  bool precedes(const PlannedInstance& other) const {
+    return clear != other.clear ? other.clear : order < other.order;
+  }
   bool moves() const { return map == MapKind::moving; }
   template <class Kind>
   bool is() const {
@@ -87,15 +110,15 @@ struct RenderPlan {
   RenderPlan(RenderPlan&&) noexcept;
   RenderPlan& operator=(RenderPlan&&) noexcept;
 
+  /// What boxes can hold first; where there is a hierarchy over them, in its order.
   std::vector<PlannedInstance> instances;
+  std::uint32_t bounded = 0;  ///< so many of them: what the boxes of tree, list or grid stand for
   PlacementTable placements;
   ShapeTable shapes;
   /// Over the triangles of each mesh in `shapes`; null: try them one by one.
   std::vector<std::unique_ptr<const BoxTree>> mesh_trees;
   std::vector<Bounds> mesh_boxes;        ///< of each mesh in `shapes`: its triangles may be many
-  std::vector<std::uint32_t> unbounded;  ///< instances no box can hold
-  std::vector<std::uint32_t> bounded;    ///< the others: what the tree's boxes stand for
-  /// Over `bounded`: a hierarchy, for a few a list, on request a grid; none: try them one by one.
+  /// Over what is bounded: a hierarchy, for a few a list, on request a grid; none: try them one by one.
   std::unique_ptr<const BoxTree> tree;
   std::unique_ptr<const BoxList> list;
   std::unique_ptr<const Grid> grid;
@@ -104,6 +127,7 @@ struct RenderPlan {
   std::unique_ptr<const BoxList> shaft_list;
   std::unique_ptr<const ThinThings> thin;  ///< null: nothing is narrower than pixels
   std::vector<PlannedMaterial> materials;
+  std::vector<Coat> coats;
   std::vector<PlannedLight> lights;
   CameraFrame camera;  ///< when the shutter opens
   /// Set where the camera moves: the path of its frame, and of its eye in render space.
@@ -115,7 +139,7 @@ struct RenderPlan {
   Placement placement(const PlannedInstance& instance) const {
     return placements.at_open(instance.map, instance.placement);
   }
-  /// f(map) of where an instance is at a time: a MovedMap, ScaledMap or LinearMap.
+  /// f(map) of where an instance is at a time: a MovedMap, ScaledMap, TurnedMap or LinearMap.
   template <class F>
   auto map(const PlannedInstance& instance, double time, F&& f) const {
     return placements.visit(instance.map, instance.placement, time, f);
@@ -126,7 +150,16 @@ struct RenderPlan {
     return shapes.visit(instance.kind, instance.shape, f);
   }
   const PlannedMaterial& material_of(const PlannedInstance& instance) const {
-    return materials[instance.material];
+    return materials[coats[instance.coat].material];
+  }
+  /// Where no texture drives any of it.
+  Reflectances plain(const PlannedInstance& instance) const {
+    const PlannedMaterial& material = material_of(instance);
+    return {coats[instance.coat].kd(), material.ks, material.opacity};
+  }
+  /// Those that no box can hold.
+  auto unbounded() const {
+    return std::views::iota(bounded, static_cast<std::uint32_t>(instances.size()));
   }
 
   // What this scene needs. What it does not need costs nothing.

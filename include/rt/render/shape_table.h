@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rt/geometry/shape.h"
+#include "rt/render/arranged.h"
 
 namespace rt {
 
@@ -42,6 +43,13 @@ class ShapeColumns<std::variant<S...>> {
     return visit_from<0>(kind, index, f);
   }
 
+  /// Once all are there: renumbers them, meshes apart, in the order in which each_use(visit) calls
+  /// visit(kind, index), which changes the index.
+  template <class EachUse>
+  void arrange(EachUse&& each_use) {
+    arrange_from<0>(each_use);
+  }
+
   std::size_t bytes() const {
     return std::apply(
         [](const auto&... column) { return (... + (column.size() * sizeof(*column.data()))); },
@@ -49,6 +57,19 @@ class ShapeColumns<std::variant<S...>> {
   }
 
  private:
+  template <std::size_t I, class EachUse>
+  void arrange_from(EachUse& each_use) {
+    if constexpr (I < sizeof...(S)) {
+      auto& column = std::get<I>(columns_);
+      if constexpr (!std::is_same_v<std::decay_t<decltype(column)>, std::vector<Mesh>>) {
+        if (column.size() > 1) {
+          arrange_table(column, [&](auto&& visit) { each_use(I, visit); });
+        }
+      }
+      arrange_from<I + 1>(each_use);
+    }
+  }
+
   template <std::size_t I, class F>
   auto visit_from(std::size_t kind, std::uint32_t index, F& f) const {
     if constexpr (I + 1 == sizeof...(S)) {

@@ -95,6 +95,10 @@ BoxSpace::Box BoxSpace::nothing() {
   return {{away, away, away}, {away, away, away}};
 }
 
+unsigned BoxSpace::filled(const BoxGroup& group) {
+  return BoxGroup::bits_of(BoxGroup::load(group.lo[0]) < static_cast<float>(endless));
+}
+
 void BoxSpace::put(BoxGroup& group, std::size_t lane, const Box& box) {
   for (std::size_t k = 0; k < 3; ++k) {
     group.lo[k][lane] = box.lo[k];

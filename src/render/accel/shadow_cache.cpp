@@ -72,7 +72,7 @@ ShadowCache::ShadowCache(const RenderPlan& plan) : plan_(plan), fineness_(finene
     lights_.push_back(box_of(light));
   }
   last_.resize(lights_.size());
-  if (plan.list || plan.tree || plan.shaft_list || plan.bounded.empty()) {
+  if (plan.list || plan.tree || plan.shaft_list || plan.bounded == 0) {
     table_.resize(entries);
   }
 }
@@ -133,12 +133,12 @@ bool ShadowCache::add(Entry& entry, std::uint32_t instance) const {
 void ShadowCache::fill(Entry& entry, Cell cell, std::size_t light) const {
   const Shaft shaft{bounds_of(cell), lights_[light]};
   entry.state = State::known;
-  for (const std::uint32_t id : plan_.unbounded) {
+  for (const std::uint32_t id : plan_.unbounded()) {
     if (crosses(plan_, plan_.instances[id], shaft) && !add(entry, id)) {
       return;
     }
   }
-  const auto add_box = [&](std::uint32_t index) { return add(entry, plan_.bounded[index]); };
+  const auto add_box = [&](std::uint32_t id) { return add(entry, id); };
   // Shafts from afar are not followed; then it is the light that is near.
   const auto each_in = [&](const auto& boxes) {
     return boxes.each_in(shaft, add_box) || boxes.each_in({shaft.to, shaft.from}, add_box);

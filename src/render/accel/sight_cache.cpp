@@ -41,14 +41,14 @@ void SightCache::fill(Entry& entry) const {
   entry.filled = true;
   entry.few = true;
   entry.count = 0;
-  for (const std::uint32_t id : plan_.unbounded) {
+  for (const std::uint32_t id : plan_.unbounded()) {
     if (!add(id)) {
       return;
     }
   }
   const auto look = [&](const auto& boxes) {
     const Shaft shaft = pyramid(plan_, entry.x, entry.y, boxes.space().far_end());
-    return boxes.each_in(shaft, [&](std::uint32_t i) { return add(plan_.bounded[i]); });
+    return boxes.each_in(shaft, add);
   };
   if (!(plan_.list ? look(*plan_.list) : look(*plan_.tree))) {
     entry.few = false;

@@ -20,8 +20,8 @@ Wide error_in_model(const Map& map, const Packet& packet) {
     return 0.0;
   }
   const double stretch = map.model_per_render();
-  const Wide reach = stretch * max_abs(packet.ray.origin) + Wide(max_abs(map.to_model));
-  return stretch * packet.position_error + gamma(12) * reach;
+  const Wide reach = stretch * max_abs(packet.ray.origin) + Wide(map.model_offset());
+  return stretch * packet.position_error + gamma(Map::roundings) * reach;
 }
 
 /// The crossings of lanes that start elsewhere.
@@ -109,29 +109,20 @@ class WideNearest {
     const WideMask nearer = t < nearest_;
     nearest_ = select(nearer, t, nearest_);
     limit_ = select(nearer, min(limit_, t + tie * (t + origin_)), limit_);
-    const double rank = rank_of(id);
+    const double rank = rank_of(plan_.instances[id]);
     const WideMask wins = crossing.hit && (t_ > limit_ || rank < rank_);
     t_ = select(wins, t, t_);
     rank_ = select(wins, Wide(rank), rank_);
+    id_ = select(wins, Wide(1.0 * id), id_);
     feature_ = select(wins, crossing.feature, feature_);
   }
 
-  PacketHits hits() const {
-    PacketHits out{t_, feature_, {}};
-    for (std::size_t i = 0; i < lanes; ++i) {
-      const double rank = rank_[i];
-      out.instance[i] = rank == inf
-                            ? no_instance
-                            : static_cast<std::uint32_t>(rank < clear ? rank : rank - clear);
-    }
-    return out;
-  }
+  PacketHits hits() const { return {t_, feature_, stdx::static_simd_cast<Ids>(id_)}; }
 
  private:
-  /// Surfaces that coincide belong to the opaque one, else to the first: the least rank.
-  static constexpr double clear = 0x1p32;
-  double rank_of(std::uint32_t id) const {
-    return plan_.materials[plan_.instances[id].material].transmissive ? 1.0 * id + clear : 1.0 * id;
+  /// As PlannedInstance::precedes(): the least rank.
+  static double rank_of(const PlannedInstance& instance) {
+    return (instance.clear ? 0x1p32 : 0.0) + instance.order;
   }
 
   const RenderPlan& plan_;
@@ -140,6 +131,7 @@ class WideNearest {
   Wide limit_{inf};
   Wide t_{inf};
   Wide rank_{inf};
+  Wide id_{1.0 * no_instance};
   Wide feature_{0.0};
 };
 

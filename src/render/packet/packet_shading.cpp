@@ -40,7 +40,7 @@ WideShadingPoint point_on(const S& shape, const Map& map, const Packet& packet,
   WideShadingPoint point;
   point.position = render_points(map, p.position);
   point.position_error =
-      gamma(16) * (map.render_per_model() * max_abs(p.position) + Wide(max_abs(map.to_render)));
+      gamma(16) * (map.render_per_model() * max_abs(p.position) + Wide(max_abs(map.offset)));
   const Wide3 normal = render_normals(map, p.normal);
   const WideMask from_outside = dot(p.normal, ray.direction) <= 0.0;
   point.normal = select(from_outside, normal, -normal);

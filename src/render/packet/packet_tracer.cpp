@@ -23,10 +23,12 @@ struct WideLook {
   Wide shininess, least_r_dot_v;
   Wide3 emission, reflectivity;
 
-  explicit WideLook(const PlannedMaterial& m)
-      : kd(m.plain.kd),
-        ks(m.plain.ks),
-        opacity(m.plain.opacity),
+  WideLook(const RenderPlan& plan, const PlannedInstance& instance)
+      : WideLook(plan.coats[instance.coat].kd(), plan.material_of(instance)) {}
+  WideLook(const Rgb& diffuse, const PlannedMaterial& m)
+      : kd(diffuse),
+        ks(m.ks),
+        opacity(m.opacity),
         shininess(m.shininess),
         least_r_dot_v(m.least_r_dot_v),
         emission(m.emission),
@@ -109,17 +111,16 @@ void PacketTracer::follow(const Path& path) {
 }
 
 void PacketTracer::shade(const Path& path, const PacketHits& hits, unsigned bits) {
-  const auto material_of = [&](std::uint32_t id) -> const PlannedMaterial& {
-    return plan_.material_of(plan_.instances[id]);
-  };
   const std::uint32_t first = hits.instance[static_cast<std::size_t>(std::countr_zero(bits))];
-  Surfaces at{path, shading_points(plan_, path.packet, hits, bits), WideLook(material_of(first))};
+  Surfaces at{path, shading_points(plan_, path.packet, hits, bits),
+              WideLook(plan_, plan_.instances[first])};
   unsigned displaced = 0;
   unsigned mirrors = 0;
   each_instance(hits.instance, bits, [&](std::uint32_t id, unsigned same) {
-    const PlannedMaterial& material = material_of(id);
+    const PlannedInstance& instance = plan_.instances[id];
+    const PlannedMaterial& material = plan_.material_of(instance);
     if (id != first) {
-      at.look.take(WideLook(material), same);
+      at.look.take(WideLook(plan_, instance), same);
     }
     if (material.textures) {
       resolve_textures(at, material, hits, same);
@@ -147,7 +148,7 @@ void PacketTracer::shade(const Path& path, const PacketHits& hits, unsigned bits
     reflect({at, nullptr, mirrors}, mirrors, path.throughput * at.look.reflectivity);
   }
   each_instance(hits.instance, bits & ~mirrors, [&](std::uint32_t id, unsigned same) {
-    const PlannedMaterial& material = material_of(id);
+    const PlannedMaterial& material = plan_.material_of(plan_.instances[id]);
     Scatter one{at, material.lobe ? &*material.lobe : nullptr, same};
     if (material.transmissive) {
       scatter_glass(one);

@@ -55,15 +55,15 @@ class PacketBoxRays {
   /// What the lanes may touch of a group of boxes.
   struct Touched {
     unsigned boxes = 0;                       ///< that some lane may touch
-    std::array<unsigned, lanes> by_lane{};    ///< the boxes that one lane may
+    std::uint64_t by_lane = 0;                ///< byte i: the boxes that lane i may
     alignas(32) float near[BoxGroup::width];  ///< where the first lane enters, or earlier
 
+    /// Bit `box` of every byte, side by side: the product moves that of byte i to bit 56 + i, and no
+    /// two to the same place.
     unsigned lanes_at(int box) const {
-      unsigned out = 0;
-      for (std::size_t i = 0; i < lanes; ++i) {
-        out |= (by_lane[i] >> box & 1U) << i;
-      }
-      return out;
+      static_assert(lanes <= 8 && BoxGroup::width == 8);
+      const std::uint64_t bits = by_lane >> box & 0x0101010101010101U;
+      return static_cast<unsigned>(bits * 0x0102040810204080U >> 56);
     }
   };
   Touched touched(const BoxGroup& group, unsigned bits) const {
@@ -72,8 +72,9 @@ class PacketBoxRays {
     each_lane(bits, [&](int i) {
       const auto at = static_cast<std::size_t>(i);
       BoxGroup::Floats near;
-      out.by_lane[at] = group.touched(rays_[at], float{limits_[at]}, near);
-      out.boxes |= out.by_lane[at];
+      const unsigned boxes = group.touched(rays_[at], float{limits_[at]}, near);
+      out.by_lane |= std::uint64_t{boxes} << (8 * i);
+      out.boxes |= boxes;
       nearest = min(nearest, near);
     });
     nearest.copy_to(out.near, stdx::vector_aligned);
@@ -126,29 +127,26 @@ void walk_packet(const BoxTree& tree, const Packet& packet, const Wide& t_max, V
 /// what it returns is their new t_max, negative where a lane's search has ended.
 template <class Visit>
 void each_candidate(const RenderPlan& plan, const Packet& packet, Wide t_max, Visit visit) {
-  for (const std::uint32_t id : plan.unbounded) {
+  for (const std::uint32_t id : plan.unbounded()) {
     t_max = visit(id, packet.active);
   }
-  const auto visit_box = [&](std::uint32_t index, unsigned bits) {
-    return visit(plan.bounded[index], bits);
-  };
   if (plan.list) {
-    walk_packet(*plan.list, packet, t_max, visit_box);
+    walk_packet(*plan.list, packet, t_max, visit);
   } else if (plan.tree) {
-    walk_packet(*plan.tree, packet, t_max, visit_box);
+    walk_packet(*plan.tree, packet, t_max, visit);
   } else if (plan.grid) {
     each_lane(packet.active, [&](int i) {
       const auto at = static_cast<std::size_t>(i);
       if (!(t_max[at] < 0.0)) {
-        plan.grid->walk(packet.ray.lane(i), t_max[at], [&](std::uint32_t index) {
-          t_max = visit_box(index, 1U << i);
+        plan.grid->walk(packet.ray.lane(i), t_max[at], [&](std::uint32_t id) {
+          t_max = visit(id, 1U << i);
           return double{t_max[at]};
         });
       }
     });
   } else {
-    for (std::uint32_t index = 0; index < plan.bounded.size(); ++index) {
-      visit_box(index, packet.active);
+    for (std::uint32_t id = 0; id < plan.bounded; ++id) {
+      visit(id, packet.active);
     }
   }
 }

@@ -26,7 +26,7 @@ Vec3 tilted(const RenderJob& job, const Vec3& origin, const Vec3& direction) {
   }
   ShadingPoint point = shading_point(plan, ray, *hit);
   const PlannedInstance& instance = plan.instances[hit->instance];
-  textured(plan, ray, *hit, plan.materials[instance.material], nullptr, point);
+  textured(plan, ray, *hit, plan.material_of(instance), nullptr, point);
   return point.shading_normal;
 }
 

@@ -47,7 +47,7 @@ Vec3 walk(const RenderPlan& plan, const Vec2& xy, int bounces, FootprintTrail& t
     if (bounces == 0) {
       return point.position;
     }
-    const PlannedMaterial& material = plan.materials[plan.instances[hit->instance].material];
+    const PlannedMaterial& material = plan.material_of(plan.instances[hit->instance]);
     const bool enters = point.side == Leaving::outward;
     const double n1 = enters ? 1.0 : material.ior;
     const double n2 = enters ? material.ior : 1.0;

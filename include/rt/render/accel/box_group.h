@@ -112,6 +112,8 @@ class BoxSpace {
   /// One that nothing touches.
   static Box nothing();
   static void put(BoxGroup& group, std::size_t lane, const Box& box);
+  /// Bit i: box i is not nothing.
+  static unsigned filled(const BoxGroup& group);
 
   /// False when the ray passes all boxes by. Its direction is a unit vector, or of that length.
   bool enter(const Ray& ray, BoxRay& to) const;

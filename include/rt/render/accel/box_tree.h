@@ -100,6 +100,10 @@ class BoxTree {
     }
   }
 
+  /// Renumbers the boxes in the order of a walk through all of them. Box k is then what box order[k]
+  /// was.
+  std::vector<std::uint32_t> arrange();
+
   const BoxSpace& space() const { return space_; }
   std::size_t bytes() const { return nodes_.size() * sizeof(Node); }
 
@@ -118,6 +122,7 @@ class BoxTree {
     std::uint32_t child;
   };
   class Builder;
+  class Layout;
 
   template <class Visit>
   void walk_from(const BoxRay& ray, double t_max, Visit& visit) const {
