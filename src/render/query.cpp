@@ -106,7 +106,9 @@ void each_candidate(const RenderPlan& plan, const Ray& ray, double t_max, Visit 
       return;
     }
   }
-  if (plan.list) {
+  if (plan.bounded == 1) {
+    visit(0);
+  } else if (plan.list) {
     plan.list->walk(ray, t_max, visit);
   } else if (plan.tree) {
     plan.tree->walk_unit(ray, t_max, visit);
