@@ -24,6 +24,9 @@ constexpr double max_exponent = 1.5;
 /// The contrast, of few samples, counts so many times.
 constexpr double caution = 2.0;
 
+/// Of a pixel's number of samples, a power of two.
+double log2_of(std::uint32_t count) { return std::countr_zero(count); }
+
 /// n^-max_exponent.
 double fastest(double n) { return 1.0 / (n * std::sqrt(n)); }
 
@@ -79,7 +82,7 @@ double observed_exponent(const PixelEstimate& e, const Rgb& sample) {
   if (!(of_samples > 0.0 && of_mean > 0.0)) {
     return max_exponent;
   }
-  return std::clamp(std::log2(of_samples / of_mean) / std::log2(0.5 * e.count), 1.0, max_exponent);
+  return std::clamp(std::log2(of_samples / of_mean) / (log2_of(e.count) - 1.0), 1.0, max_exponent);
 }
 
 void set_error(PixelEstimate& e, Encoding encoding) {
@@ -92,7 +95,7 @@ Rgb variance_when_doubled(const PixelEstimate& e) {
   const double rate = observed_exponent(e, sample);
   const double between = 0.5 * (rate + max_exponent);
   return (memory * std::exp2(-rate) * e.variance + variance_of_quarters(e, rate) +
-          std::exp2(-between * std::log2(e.count)) * sample) /
+          std::exp2(-between * log2_of(e.count)) * sample) /
          (memory + 2.0);
 }
 
@@ -274,12 +277,13 @@ void AdaptiveTile::begin_pixel(PixelSampler& sampler, int x, int y,
 }
 
 void AdaptiveTile::double_samples(PixelSampler& sampler, std::span<Open* const> pixels,
-                                  RenderStatistics& statistics) {
-  std::vector<PixelSample> wanted;
+                                  Buffers& buffers, RenderStatistics& statistics) {
+  auto& [wanted, values] = buffers;
+  wanted.clear();
   for (const Open* pixel : pixels) {
     append_samples(wanted, pixel->x, pixel->y, pixel->estimate.count, 2 * pixel->estimate.count);
   }
-  std::vector<std::optional<Rgb>> values(wanted.size());
+  values.resize(wanted.size());
   sampler.take_all(wanted, values, statistics);
   std::span<const std::optional<Rgb>> rest = values;
   for (Open* pixel : pixels) {
@@ -297,6 +301,7 @@ bool AdaptiveTile::refine(PixelSampler& sampler, double target, const Deadline& 
                           RenderStatistics& statistics) {
   constexpr std::uint32_t batch = 256;
   const RenderOptions& options = sampler.plan().options;
+  Buffers buffers;
   std::vector<Open*> round;
   for (auto next = open_.begin(); next != open_.end();) {
     round.clear();
@@ -319,7 +324,7 @@ bool AdaptiveTile::refine(PixelSampler& sampler, double target, const Deadline& 
         if (deadline.passed()) {
           return false;
         }
-        double_samples(sampler, rest.first(n), statistics);
+        double_samples(sampler, rest.first(n), buffers, statistics);
         rest = rest.subspan(n);
       }
       std::erase_if(round, [&](const Open* pixel) {

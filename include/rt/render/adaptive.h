@@ -66,7 +66,6 @@ class AdaptiveTile {
  public:
   explicit AdaptiveTile(const Crop& area) : area_(area) {}
 
-  const Crop& area() const { return area_; }
   /// Takes every pixel's first samples, estimates errors, and gives what comes of that to
   /// `results`; keeps those pixels that max_error asks more of. Told to stop it gives up: then
   /// begun() is false, and nothing has been counted nor given.
@@ -102,8 +101,13 @@ class AdaptiveTile {
   void begin_pixel(PixelSampler& sampler, int x, int y, std::span<const std::optional<Rgb>> values,
                    const Rgb& variance, float error, PixelResults& results,
                    RenderStatistics& statistics);
+  /// Kept from call to call.
+  struct Buffers {
+    std::vector<PixelSample> wanted;
+    std::vector<std::optional<Rgb>> values;
+  };
   static void double_samples(PixelSampler& sampler, std::span<Open* const> pixels,
-                             RenderStatistics& statistics);
+                             Buffers& buffers, RenderStatistics& statistics);
 
   Crop area_;
   bool begun_ = false;

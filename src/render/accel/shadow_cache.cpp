@@ -74,6 +74,7 @@ ShadowCache::ShadowCache(const RenderPlan& plan) : plan_(plan), fineness_(finene
   last_.resize(lights_.size());
   if (plan.list || plan.tree || plan.shaft_list || plan.bounded == 0) {
     table_.resize(entries);
+    instances_.resize(entries);
   }
 }
 
@@ -116,7 +117,7 @@ Bounds ShadowCache::bounds_of(Cell cell) const {
   return {place * edge, (place + 1.0) * edge};
 }
 
-bool ShadowCache::add(Entry& entry, std::uint32_t instance) const {
+bool ShadowCache::add(Entry& entry, std::uint32_t instance) {
   const Shadow shadow = plan_.instances[instance].shadow;
   if (shadow == Shadow::none) {
     return true;
@@ -126,11 +127,11 @@ bool ShadowCache::add(Entry& entry, std::uint32_t instance) const {
     return false;
   }
   entry.dims = entry.dims || shadow == Shadow::dims;
-  entry.instances[entry.count++] = instance;
+  instances_[static_cast<std::size_t>(&entry - table_.data())][entry.count++] = instance;
   return true;
 }
 
-void ShadowCache::fill(Entry& entry, Cell cell, std::size_t light) const {
+void ShadowCache::fill(Entry& entry, Cell cell, std::size_t light) {
   const Shaft shaft{bounds_of(cell), lights_[light]};
   entry.state = State::known;
   for (const std::uint32_t id : plan_.unbounded()) {

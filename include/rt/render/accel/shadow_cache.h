@@ -39,13 +39,15 @@ class ShadowCache {
   static constexpr std::size_t entries = 1024;
   enum class State : std::uint8_t { unknown, many, known };
 
-  struct alignas(64) Entry {
+  /// Mostly there are no instances: then this is all that is looked at, and all of them stay in the
+  /// nearest cache.
+  struct Entry {
     std::uint64_t key = 0;  ///< of cell and light
     State state = State::unknown;
     bool dims = false;
-    std::uint16_t count = 0;
-    std::array<std::uint32_t, most> instances;
+    std::uint16_t count = 0;  ///< of its instances
   };
+  using Instances = std::array<std::uint32_t, most>;
   /// What was asked about last, and its entry, for as long as that is not another's.
   struct Last {
     std::uint64_t key = 0;
@@ -53,17 +55,21 @@ class ShadowCache {
   };
 
   Candidates answer(const Entry& entry) const {
-    return {entry.state == State::known, entry.dims, {entry.instances.data(), entry.count}};
+    return {entry.state == State::known, entry.dims, {of(entry).data(), entry.count}};
+  }
+  const Instances& of(const Entry& entry) const {
+    return instances_[static_cast<std::size_t>(&entry - table_.data())];
   }
   Bounds bounds_of(Cell cell) const;
-  void fill(Entry& entry, Cell cell, std::size_t light) const;
-  bool add(Entry& entry, std::uint32_t instance) const;
+  void fill(Entry& entry, Cell cell, std::size_t light);
+  bool add(Entry& entry, std::uint32_t instance);
 
   const RenderPlan& plan_;
   int fineness_;  ///< cells are 2^-fineness of the power of two below their distance
   std::vector<Bounds> lights_;
   std::vector<Last> last_;  ///< by light
   std::vector<Entry> table_;
+  std::vector<Instances> instances_;  ///< of the entries
 };
 
 }  // namespace rt
