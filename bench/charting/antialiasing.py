@@ -20,7 +20,7 @@ def measure(context):
         cases.append(curves.own_case(context, SCENE, ["--samples", str(n)], "uniform", size, truth))
     cases.append(curves.own_case(context, SCENE, ["--aa", "corners"], "corners (classic scheme)",
                                  size, truth))
-    for e in (0.05, 0.02) if context.quick else (0.1, 0.05, 0.02, 0.01, 0.005, 0.0025):
+    for e in (0.05, 0.02) if context.quick else (0.2, 0.1, 0.05, 0.03, 0.02, 0.014, 0.01, 0.005, 0.0025):
         cases.append(curves.own_case(context, SCENE, ["--max-error", str(e)], "adaptive", size,
                                      truth))
     if Programs.has("povray"):

@@ -7,14 +7,14 @@ SCENES = {"balls and rings": ROOT / "bench/charting/scenes/many.lua",
           "a mesh's triangles": ROOT / "bench/charting/scenes/sheet.lua",
           "instances of a mesh": ROOT / "bench/charting/scenes/crowd.lua"}
 GROWTH, BUILD, BYTES = 3, 3, 200  # aimed at: times, seconds, bytes a primitive
+# A million things are 13 a pixel of the first, each met by at most a few rays, and one of the second.
+SIZES = ("320x240", "1280x960")
 
 
-def case_of(context, label, count):
-    size = "80x60" if context.quick else "320x240"
-
+def case_of(context, label, count, size):
     def case():
         told = context.programs.render_only(SCENES[label], size, "--", count)
-        return {"series": label, "primitives": count, "size": size,
+        return {"series": f"{label}, {size}", "primitives": count, "size": size,
                 "ns_per_ray": 1e9 * told["trace"] / told["rays"], "build": told["build"],
                 "script": told["script"], "bytes": told["plan_bytes"] / count,
                 "script_bytes": told["script_bytes"] / count, "rays": told["rays"],
@@ -24,7 +24,8 @@ def case_of(context, label, count):
 
 def measure(context):
     counts = (1000, 4000) if context.quick else (1000, 10_000, 100_000, 1_000_000)
-    cases = [case_of(context, label, count) for count in counts for label in SCENES]
+    cases = [case_of(context, label, count, size) for count in counts for label in SCENES
+             for size in (("80x60",) if context.quick else SIZES)]
     return {NAME: tables.alternated(cases, context.runs, "ns_per_ray", "build", "script")}
 
 
@@ -33,16 +34,21 @@ def draw(data):
     for axes, y, title, label in zip(panels, ("ns_per_ray", "build", "bytes"),
                                      ("Time a ray", "Building", "Memory"),
                                      ("ns", "processor time, s", "bytes a primitive")):
-        for index, (name, rows) in enumerate(curves.series(data[NAME]).items()):
+        shown = curves.series(data[NAME])
+        sizes = len({rows[0]["size"] for rows in shown.values()})
+        for index, (name, rows) in enumerate(shown.items()):
+            if y != "ns_per_ray" and index % sizes > 0:
+                continue  # the same whatever the picture's size
             axes.plot([r["primitives"] for r in rows], [r[y] for r in rows],
-                      style.MARKS[index] + "-", label=name, color=style.COLOURS[index])
+                      style.MARKS[index // sizes] + ("-", ":")[index % sizes], label=name,
+                      color=style.COLOURS[index // sizes])
         style.log_log(axes, "primitives", label, title)
     panels[1].axhline(BUILD, color=style.GREY, linewidth=0.8, linestyle=":")
     panels[2].axhline(BYTES, color=style.GREY, linewidth=0.8, linestyle=":")
     panels[0].legend(fontsize=7.5)
     return figure, ("Building: compiling the scene that the script has made; memory: what that "
-                    f"allocates beyond the script's own. Dotted: aimed at. {data[NAME][0]['size']}, "
-                    f"one ray a pixel, medians of {data[NAME][0]['runs']:.0f} runs.")
+                    "allocates beyond the script's own. Grey: aimed at. One ray a pixel, medians of "
+                    f"{data[NAME][0]['runs']:.0f} runs.")
 
 
 def verdict(rows):
