@@ -13,7 +13,7 @@ namespace {
 std::string flag_of(const OptionSpec& spec) {
   std::string flag = "--" + std::string(spec.name);
   std::replace(flag.begin(), flag.end(), '_', '-');
-  return spec.flag.empty() ? flag : std::string(spec.flag) + "," + flag;
+  return flag;
 }
 
 std::string with_suggestion(const std::string& text, std::string_view given,

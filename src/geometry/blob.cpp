@@ -11,8 +11,8 @@ constexpr std::uint32_t head_feature = 0;
 constexpr std::uint32_t body_feature = 1;
 constexpr std::uint32_t base_feature = 2;
 
-constexpr double apex = 5.0990195135927848;  ///< sqrt(26): the cone's tip is at (0, apex, 0)
-constexpr double join = 1 / apex;            ///< height at which head and body meet
+constexpr double apex = Blob::apex;
+constexpr double join = Blob::join;
 constexpr double slant = 5 / apex;  ///< cosine of the angle of the body's normal to the horizon
 constexpr double base = -1;
 constexpr Round head_ball{1, gamma(12)};

@@ -159,10 +159,9 @@ std::optional<Span> stopped_by(const PointedCone&, const Fan& fan) {
 
 // The head, and x^2 + z^2 = (sqrt(26) - y)^2 / 25.
 std::optional<Span> stopped_by(const Blob&, const Fan& fan) {
-  constexpr double apex = 5.0990195135927848;
-  constexpr double join = 1.0 / apex;
   constexpr std::array<Round, 2> pieces{
-      {{1.0, 0.0, -1.0, join, infinity}, {-1.0 / 25.0, apex / 25.0, -26.0 / 25.0, -1.0, join}}};
+      {{1.0, 0.0, -1.0, Blob::join, infinity},
+       {-1.0 / 25.0, Blob::apex / 25.0, -26.0 / 25.0, -1.0, Blob::join}}};
   return stopped_round(pieces, fan);
 }
 

@@ -102,9 +102,7 @@ std::string reference_page() {
     page += fmt::format("| `{}` | {} |\n", option.name, option.help);
   }
   for (const OptionSpec& spec : option_specs()) {
-    if (spec.in_script) {
-      page += fmt::format("| `{}` | {} |\n", spec.name, spec.help);
-    }
+    page += fmt::format("| `{}` | {} |\n", spec.name, spec.help);
   }
   return page;
 }

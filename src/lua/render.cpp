@@ -215,16 +215,9 @@ OptionValue option_value(const Value& value) {
 std::vector<std::string_view> names_with_options(std::span<const Field<Draft>> fields) {
   std::vector<std::string_view> names = names_of(fields);
   for (const OptionSpec& spec : option_specs()) {
-    if (spec.in_script) {
-      names.push_back(spec.name);
-    }
+    names.push_back(spec.name);
   }
   return names;
-}
-
-const OptionSpec* option_of_scripts(std::string_view name) {
-  const OptionSpec* spec = find_option(name);
-  return spec != nullptr && spec->in_script ? spec : nullptr;
 }
 
 /// Reads a table of fields and options.
@@ -232,7 +225,7 @@ void read_options(const Call& call, int index, std::span<const Field<Draft>> fie
   std::vector<std::string> options;
   std::vector<std::string> unknown;
   for (std::string& key : unknown_keys(call, index, fields)) {
-    (option_of_scripts(key) != nullptr ? options : unknown).push_back(std::move(key));
+    (find_option(key) != nullptr ? options : unknown).push_back(std::move(key));
   }
   refuse_keys(call, "", unknown, names_with_options(fields));
 
@@ -241,7 +234,7 @@ void read_options(const Call& call, int index, std::span<const Field<Draft>> fie
     push_field(call, index, key, {});
     const Value value(call, lua_gettop(call.L), "", key);
     try {
-      option_of_scripts(key)->set(draft.job.options, option_value(value));
+      find_option(key)->set(draft.job.options, option_value(value));
     } catch (const std::invalid_argument& error) {
       call.fail(fmt::format("option '{}': {}", key, error.what()));
     }

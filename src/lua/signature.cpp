@@ -64,11 +64,8 @@ void add_options(std::vector<Parameter>& parameters) {
     parameters.push_back({std::string(option.name), std::string(option.type), true});
   }
   for (const OptionSpec& spec : option_specs()) {
-    if (spec.in_script) {
-      constexpr const char* types[] = {"boolean", "number", "string"};
-      parameters.push_back(
-          {std::string(spec.name), types[spec.get(RenderOptions{}).index()], true});
-    }
+    constexpr const char* types[] = {"boolean", "number", "string"};
+    parameters.push_back({std::string(spec.name), types[spec.get(RenderOptions{}).index()], true});
   }
 }
 

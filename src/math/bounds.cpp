@@ -40,9 +40,7 @@ Bounds transformed(const Affine& a, const Bounds& b) {
       hi += std::max(e, f);
       magnitude += std::max(std::abs(e), std::abs(f));
     }
-    // Three products and three sums, each correctly rounded, and the same again for a ray or a
-    // point that is carried by the inverse map.
-    const double slack = gamma(8) * magnitude;
+    const double slack = rounding_of_maps * magnitude;
     out.lo[row] = lo - slack;
     out.hi[row] = hi + slack;
   }

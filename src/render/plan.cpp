@@ -8,6 +8,7 @@
 
 #include "material_plan.h"
 #include "media_plan.h"
+#include "rt/geometry/image_bounds.h"
 #include "rt/math/hash.h"
 #include "rt/render/accel/box_list.h"
 #include "rt/render/accel/box_tree.h"
@@ -311,9 +312,13 @@ Bounds model_box_of(const RenderPlan& plan, const PlannedInstance& instance) {
 }
 
 Bounds box_of(const RenderPlan& plan, const PlannedInstance& instance) {
-  const Bounds box = model_box_of(plan, instance);
-  return instance.moves() ? plan.placements.motion(instance.placement).bounds(box)
-                          : transformed(plan.placement(instance).render_from_model, box);
+  if (instance.moves()) {
+    return plan.placements.motion(instance.placement).bounds(model_box_of(plan, instance));
+  }
+  const Affine map = plan.placement(instance).render_from_model;
+  return instance.is<Mesh>()
+             ? transformed(map, plan.mesh_boxes[instance.shape])
+             : plan.visit(instance, [&](const auto& s) { return image_bounds(map, s); });
 }
 
 CameraFrame frame_of(const Camera& camera, const RenderOptions& options) {

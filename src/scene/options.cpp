@@ -113,58 +113,56 @@ template <bool RenderOptions::*member>
 constexpr OptionSpec feature(std::string_view name, std::string_view help) {
   return {name,
           "",
-          "",
           help,
           [](RenderOptions& o, const OptionValue& v) { o.*member = as_switch(v); },
           [](const RenderOptions& o) { return OptionValue(o.*member); },
-          true,
           false};
 }
 
 constexpr std::array specs{
-    OptionSpec{"samples", "", "N",
+    OptionSpec{"samples", "N",
                "samples of every pixel, not adaptive; 1 takes the pixel's centre",
                [](RenderOptions& o, const OptionValue& v) {
                  o.samples = static_cast<int>(as_whole(v, 1, max_count));
                },
                [](const RenderOptions& o) { return OptionValue(static_cast<double>(o.samples)); }},
     OptionSpec{
-        "max_error", "", "E", "error a pixel may have, as displayed, of 1 (default 0.02)",
+        "max_error", "E", "error a pixel may have, as displayed, of 1 (default 0.02)",
         [](RenderOptions& o, const OptionValue& v) { o.max_error = as_number_in(v, 1e-6, 1.0); },
         [](const RenderOptions& o) { return OptionValue(o.max_error); }},
     OptionSpec{
-        "max_samples", "", "N", "where an adaptive pixel gives up (default 4096)",
+        "max_samples", "N", "where an adaptive pixel gives up (default 4096)",
         [](RenderOptions& o, const OptionValue& v) {
           o.max_samples = static_cast<int>(as_whole(v, 1, max_count));
         },
         [](const RenderOptions& o) { return OptionValue(static_cast<double>(o.max_samples)); }},
     OptionSpec{
-        "time_limit", "", "S", "seconds to trace for; the picture is then as good as it got",
+        "time_limit", "S", "seconds to trace for; the picture is then as good as it got",
         [](RenderOptions& o, const OptionValue& v) { o.time_limit = as_number_in(v, 1e-3, 1e9); },
         [](const RenderOptions& o) { return OptionValue(o.time_limit); }},
-    OptionSpec{"filter", "", "NAME", "pixel filter: gaussian (default), box, tent, blackman-harris",
+    OptionSpec{"filter", "NAME", "pixel filter: gaussian (default), box, tent, blackman-harris",
                [](RenderOptions& o, const OptionValue& v) { o.filter = as_choice(v, filters); },
                [](const RenderOptions& o) { return name_of(o.filter, filters); }},
-    OptionSpec{"aa", "", "adaptive|corners|uniform",
+    OptionSpec{"aa", "adaptive|corners|uniform",
                "samples: by estimated error (default), where corners differ, 16 everywhere",
                [](RenderOptions& o, const OptionValue& v) { o.aa = as_choice(v, schemes); },
                [](const RenderOptions& o) { return name_of(o.aa, schemes); }},
-    OptionSpec{"seed", "", "N", "seed of all random decisions (default 0)",
+    OptionSpec{"seed", "N", "seed of all random decisions (default 0)",
                [](RenderOptions& o, const OptionValue& v) {
                  o.seed = static_cast<std::uint64_t>(as_whole(v, 0, max_seed));
                },
                [](const RenderOptions& o) { return OptionValue(static_cast<double>(o.seed)); }},
     OptionSpec{
-        "max_depth", "", "N", "bounces a path may take (default 8)",
+        "max_depth", "N", "bounces a path may take (default 8)",
         [](RenderOptions& o, const OptionValue& v) {
           o.max_depth = static_cast<int>(as_whole(v, 0, 10'000));
         },
         [](const RenderOptions& o) { return OptionValue(static_cast<double>(o.max_depth)); }},
-    OptionSpec{"encoding", "", "srgb|raw",
+    OptionSpec{"encoding", "srgb|raw",
                "8-bit pictures hold sRGB (default) or the linear value times 255",
                [](RenderOptions& o, const OptionValue& v) { o.encoding = as_choice(v, encodings); },
                [](const RenderOptions& o) { return name_of(o.encoding, encodings); }},
-    OptionSpec{"accel", "", "auto|none|list|grid|bvh",
+    OptionSpec{"accel", "auto|none|list|grid|bvh",
                "how hits are found: by the scene's size (default), one by one, boxes in a list, "
                "uniform grid, hierarchy",
                [](RenderOptions& o, const OptionValue& v) { o.accel = as_choice(v, accels); },

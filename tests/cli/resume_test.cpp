@@ -86,10 +86,10 @@ class Resumed : public ProgramTest {
 
 TEST_F(Resumed, PicturesAreThoseOfAnUninterruptedRun) {
   expect_equal("--samples 200");
-  expect_equal("--samples 100 -t 1");
+  expect_equal("--samples 200 -t 1");
   expect_equal("--max-error 0.001");
   expect_equal("--max-error 0.0015 -t 1 --crop 30,20,130,110");
-  expect_equal("--aa corners");
+  expect_equal("--aa corners -s 700x525");  // a second's work, as the others
   expect_equal("--max-error 0.001 --time-limit 1000");
 }
 
@@ -261,12 +261,12 @@ TEST_F(Resumed, ASceneThatDependsOnTheTimeIsRefused) {
 }
 
 TEST_F(Resumed, DamagedCheckpointsAreRefused) {
-  EXPECT_EQ(interrupt("--samples 400 --size 60x40").exit_code, 130);
+  EXPECT_EQ(interrupt("--samples 2000 --size 60x40").exit_code, 130);
   const std::string good = contents(folder_ / "p1.png.checkpoint");
   ASSERT_GT(good.size(), 1000u);
   const auto refused = [&](const std::string& bytes, const std::string& what) {
     write("p1.png.checkpoint", bytes);
-    const Outcome o = run("scene.lua -q --resume --samples 400 --size 60x40");
+    const Outcome o = run("scene.lua -q --resume --samples 2000 --size 60x40");
     EXPECT_EQ(o.exit_code, 3) << what << o.err;
     EXPECT_NE(o.err.find("cannot resume from p1.png.checkpoint"), std::string::npos) << what;
   };
@@ -286,7 +286,7 @@ TEST_F(Resumed, DamagedCheckpointsAreRefused) {
     refused(bad, "flip " + std::to_string(i));
   }
   write("p1.png.checkpoint", good);
-  EXPECT_EQ(run("scene.lua -q --resume --samples 400 --size 60x40").exit_code, 0);
+  EXPECT_EQ(run("scene.lua -q --resume --samples 2000 --size 60x40").exit_code, 0);
 }
 
 TEST_F(Resumed, WithoutACheckpointAllBeginsAnew) {

@@ -7,7 +7,10 @@ namespace rt {
 /// The gumdrop: a spherical head over a truncated cone, closed by a disc. Head: |p| = 1 for
 /// y >= 1/sqrt(26). Body: sqrt(x^2 + z^2) = (sqrt(26) - y) / 5 for -1 <= y <= 1/sqrt(26). Position
 /// and normal agree at the join. Feature: 0 head, 1 body, 2 base.
-struct Blob {};
+struct Blob {
+  static constexpr double apex = 5.0990195135927848;  ///< sqrt(26): the cone's tip is at (0, apex, 0)
+  static constexpr double join = 1 / apex;            ///< height at which head and body meet
+};
 
 OptionalHit intersect(const Blob& shape, const Ray& ray, double t_max, const RayStart& start);
 SurfacePoint surface_point(const Blob& shape, const Ray& ray, const ShapeHit& hit);

@@ -67,14 +67,12 @@ using OptionValue = std::variant<bool, double, std::string>;
 
 struct OptionSpec {
   std::string_view name;   ///< as in a script's table: max_depth; the flag is --max-depth
-  std::string_view flag;   ///< further flag: "-s", or empty
   std::string_view value;  ///< placeholder in help: "N"
   std::string_view help;   ///< one line
   /// Checks the value and stores it. Throws std::invalid_argument "expected ..., got ...".
   void (*set)(RenderOptions&, const OptionValue&);
   /// The value in force, for reports.
   OptionValue (*get)(const RenderOptions&);
-  bool in_script = true;        ///< may stand in gr.render's table
   bool on_command_line = true;  ///< has a flag; else only --disable names it
 };
 

@@ -117,9 +117,6 @@ TEST_F(Render, NamedFormHasDefaults) {
 
 TEST_F(Render, EveryScriptOptionIsAccepted) {
   for (const OptionSpec& spec : option_specs()) {
-    if (!spec.in_script) {
-      continue;
-    }
     // A value of no sensible kind: the option's own check speaks, not the list of known keys.
     const Failure got = failure(named_text(std::string(spec.name) + "='?!'"));
     EXPECT_TRUE(got.text.starts_with("scene.lua:2: gr.render: option '" + std::string(spec.name) +

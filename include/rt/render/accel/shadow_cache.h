@@ -16,7 +16,7 @@ namespace rt {
 /// are none: then no shadow ray need be traced at all. Answers do not depend on what was asked
 /// before: shafts are conservative, so a ray finds the same blockers with the cache as without.
 ///
-/// One a thread, of 128 KB.
+/// One a thread, of 16 KB and 112 KB of lists.
 class ShadowCache {
  public:
   explicit ShadowCache(const RenderPlan& plan);
