@@ -40,15 +40,17 @@ def draw(data):
             if y != "ns_per_ray" and index % sizes > 0:
                 continue  # the same whatever the picture's size
             axes.plot([r["primitives"] for r in rows], [r[y] for r in rows],
-                      style.MARKS[index // sizes] + ("-", ":")[index % sizes], label=name,
+                      style.MARKS[index // sizes] + ("-", ":")[index % sizes],
+                      label=name.split(",")[0] if index % sizes == 0 else None,
                       color=style.COLOURS[index // sizes])
         style.log_log(axes, "primitives", label, title)
     panels[1].axhline(BUILD, color=style.GREY, linewidth=0.8, linestyle=":")
     panels[2].axhline(BYTES, color=style.GREY, linewidth=0.8, linestyle=":")
     panels[0].legend(fontsize=7.5)
     return figure, ("Building: compiling the scene that the script has made; memory: what that "
-                    "allocates beyond the script's own. Grey: aimed at. One ray a pixel, medians of "
-                    f"{data[NAME][0]['runs']:.0f} runs.")
+                    "allocates beyond the script's own. Grey: aimed at. One ray a pixel of "
+                    f"{' (dotted: '.join(sorted({r['size'] for r in data[NAME]}, key=len))}"
+                    f"{')' if sizes > 1 else ''}, medians of {data[NAME][0]['runs']:.0f} runs.")
 
 
 def verdict(rows):
