@@ -49,8 +49,8 @@ def draw(data):
     panels[0].legend(fontsize=7.5)
     return figure, ("Building: compiling the scene that the script has made; memory: what that "
                     "allocates beyond the script's own. Grey: aimed at. One ray a pixel of "
-                    f"{' (dotted: '.join(sorted({r['size'] for r in data[NAME]}, key=len))}"
-                    f"{')' if sizes > 1 else ''}, medians of {data[NAME][0]['runs']:.0f} runs.")
+                    f"{data[NAME][0]['size']} (dotted, if any: {SIZES[-1]}), medians of "
+                    f"{data[NAME][0]['runs']:.0f} runs.")
 
 
 def verdict(rows):

@@ -10,27 +10,9 @@
 namespace rt {
 namespace {
 
-/// The quartic from a point of the torus, divided by its root 0 there: s^3 + c2 s^2 + c1 s + c0.
-struct Cubic {
-  double c2, c1, c0;
-
-  double operator()(double s) const { return ((s + c2) * s + c1) * s + c0; }
-  double slope(double s) const { return (3 * s + 2 * c2) * s + c1; }
-  double curvature(double s) const { return 6 * s + 2 * c2; }
-};
-
 Cubic cubic_of(const Torus& torus, const Vec3& o, const Vec3& d) {
-  const double R = torus.major_radius;
-  const double r = torus.minor_radius;
-  const double od = glm::dot(o, d);
   const double rho = std::sqrt(o.x * o.x + o.z * o.z);
-  const double sheet = sheet_at(torus, rho, o.y);
-  // The gradient of the product of both factors where one of them is zero: well-conditioned however
-  // thin the ring.
-  const double gradient =
-      8 * R * ((sheet * rho - R) * (o.x * d.x + o.z * d.z) + sheet * rho * o.y * d.y);
-  return {4 * od, 2 * (glm::dot(o, o) - R * R - r * r) + 4 * od * od + 4 * R * R * d.y * d.y,
-          gradient};
+  return cubic_of(torus, o, d, rho, sheet_at(torus, rho, o.y));
 }
 
 /// The next crossing of a ray that starts on the torus, at u > 0 with the direction's length one.

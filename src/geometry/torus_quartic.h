@@ -31,6 +31,30 @@ inline Quartic quartic_of(const Torus& torus, const Vec3& o, const Vec3& d) {
   return quartic_of(torus, o, d, glm::dot(o, o));
 }
 
+/// The quartic from a point of the torus along d of unit length, divided by its root 0 there:
+/// s^3 + c2 s^2 + c1 s + c0.
+template <class Real>
+struct CubicOf {
+  Real c2, c1, c0;
+
+  Real operator()(const Real& s) const { return ((s + c2) * s + c1) * s + c0; }
+  Real slope(const Real& s) const { return (3 * s + 2 * c2) * s + c1; }
+  Real curvature(const Real& s) const { return 6 * s + 2 * c2; }
+};
+using Cubic = CubicOf<double>;
+
+/// `rho`: the point's distance from the axis. The last term is the gradient of the product of both
+/// factors where that of `sheet` is zero: well-conditioned however thin the ring.
+template <class Point, class Real>
+CubicOf<Real> cubic_of(const Torus& torus, const Point& o, const Point& d, const Real& rho,
+                       double sheet) {
+  const double R = torus.major_radius;
+  const double r = torus.minor_radius;
+  const Real od = dot(o, d);
+  return {4 * od, 2 * (dot(o, o) - R * R - r * r) + 4 * od * od + 4 * R * R * d.y * d.y,
+          8 * R * ((sheet * rho - R) * (o.x * d.x + o.z * d.z) + sheet * rho * o.y * d.y)};
+}
+
 /// Halley's step comes nearer to a root than the vertex is while the parabola's bend is below so
 /// much of the slope's square; a parabola with its root at its vertex has half of it.
 inline constexpr double shallow = 0.47;

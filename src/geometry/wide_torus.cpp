@@ -182,20 +182,16 @@ WideMask leaves_for_good(const Torus& shape, const WideRay& ray) {
   if (!has_wide_hole(shape)) {
     return WideMask(false);
   }
-  const double R = shape.major_radius;
-  const double r = shape.minor_radius;
   const Wide3& o = ray.origin;
-  const Wide3 d = ray.direction * (1.0 / length(ray.direction));
-  const Wide od = dot(o, d);
-  const Wide rho = sqrt(o.x * o.x + o.z * o.z);
-  const Wide c0 = max(8 * R * ((rho - R) * (o.x * d.x + o.z * d.z) + rho * o.y * d.y), Wide(0.0));
-  const Wide c1 = 2 * (dot(o, o) - R * R - r * r) + 4 * od * od + 4 * R * R * d.y * d.y;
-  const Wide c2 = 4 * od;
-  const Wide discriminant = c2 * c2 - 3 * c1;
-  const Wide lowest = (sqrt(max(discriminant, Wide(0.0))) - c2) * (1.0 / 3);
-  const Wide s = select(discriminant >= 0.0 && lowest > 0.0, lowest, Wide(r));
+  CubicOf<Wide> cubic = cubic_of(shape, o, ray.direction * (1.0 / length(ray.direction)),
+                                 sqrt(o.x * o.x + o.z * o.z), 1.0);
+  cubic.c0 = max(cubic.c0, Wide(0.0));
+  const Wide discriminant = cubic.c2 * cubic.c2 - 3 * cubic.c1;
+  const Wide lowest = (sqrt(max(discriminant, Wide(0.0))) - cubic.c2) * (1.0 / 3);
+  const Wide s =
+      select(discriminant >= 0.0 && lowest > 0.0, lowest, Wide(shape.minor_radius));
   const double size = size_of(shape);
-  return ((s + c2) * s + c1) * s + c0 > 2 * polynomial_noise * size * size * size;
+  return cubic(s) > 2 * polynomial_noise * size * size * size;
 }
 
 WideSurfacePoint surface_point(const Torus& shape, const WideRay& ray, const Wide& t, const Wide&) {

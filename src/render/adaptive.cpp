@@ -12,46 +12,6 @@
 namespace rt {
 namespace {
 
-/// The claimed error is so many standard deviations: chosen such that 95% of true errors lie below
-/// 1.5 times the claim (bench/results/calibration.md).
-constexpr double claim = 1.3;
-
-/// What the estimate before a doubling counts against each of the two that come with it.
-constexpr double memory = 2.0;
-
-constexpr double max_exponent = 1.5;
-
-/// The contrast, of few samples, counts so many times.
-constexpr double caution = 2.0;
-
-/// Of a pixel's number of samples, a power of two.
-double log2_of(std::uint32_t count) { return std::countr_zero(count); }
-
-/// n^-max_exponent.
-double fastest(double n) { return 1.0 / (n * std::sqrt(n)); }
-
-/// Counts the next samples in; there are to be `count` of them: from 4 on twice as many as
-/// before.
-void count_in(PixelEstimate& e, std::span<const std::optional<Rgb>> values, std::uint32_t count) {
-  if (e.count >= 4) {
-    e.quarters = {e.quarters[0] + e.quarters[1], e.quarters[2] + e.quarters[3], Rgb(0.0), Rgb(0.0)};
-  }
-  const std::uint32_t quarter = std::max(count / 4, 1u);
-  for (std::uint32_t q = e.count / quarter; !values.empty(); ++q) {
-    const auto next = values.first(std::min<std::size_t>(quarter, values.size()));
-    for (const auto& value : next) {
-      if (value) {
-        e.quarters[q] += *value;
-        e.squares += *value * *value;
-      } else {
-        ++e.bad;
-      }
-    }
-    e.count += static_cast<std::uint32_t>(next.size());
-    values = values.subspan(next.size());
-  }
-}
-
 void append_samples(std::vector<PixelSample>& wanted, int x, int y, std::uint32_t from,
                     std::uint32_t to) {
   for (std::uint32_t i = from; i < to; ++i) {
@@ -69,38 +29,7 @@ void grow(PixelSampler& sampler, PixelEstimate& e, int x, int y, std::uint32_t c
   count_in(e, values, count);
 }
 
-/// The variance of one sample, from those taken.
-Rgb variance_of_samples(const PixelEstimate& e) {
-  const Rgb mean = e.mean();
-  return glm::max(e.squares / std::max(1.0 * (e.count - e.bad), 1.0) - mean * mean, Rgb(0.0));
-}
-
-/// How fast the variance of the mean has fallen, from one sample to half of those taken by now.
-double observed_exponent(const PixelEstimate& e, const Rgb& sample) {
-  const double of_samples = sample.r + sample.g + sample.b;
-  const double of_mean = e.variance.r + e.variance.g + e.variance.b;
-  if (!(of_samples > 0.0 && of_mean > 0.0)) {
-    return max_exponent;
-  }
-  return std::clamp(std::log2(of_samples / of_mean) / (log2_of(e.count) - 1.0), 1.0, max_exponent);
-}
-
-void set_error(PixelEstimate& e, Encoding encoding) {
-  e.error = static_cast<float>(displayed_error(e.mean(), claim * glm::sqrt(e.variance), encoding));
-}
-
-/// The variance once a pixel's samples have been doubled.
-Rgb variance_when_doubled(const PixelEstimate& e) {
-  const Rgb sample = variance_of_samples(e);
-  const double rate = observed_exponent(e, sample);
-  const double between = 0.5 * (rate + max_exponent);
-  return (memory * std::exp2(-rate) * e.variance + variance_of_quarters(e, rate) +
-          std::exp2(-between * log2_of(e.count)) * sample) /
-         (memory + 2.0);
-}
-
-/// What of the contrast, the variance of one sample, their mean of so many pilots has.
-double share_of_contrast(std::uint32_t pilots) { return caution * fastest(pilots); }
+using Floats = stdx::rebind_simd_t<float, Wide>;
 
 std::uint32_t first_samples(const RenderOptions& options) {
   return std::min(pilot_samples, static_cast<std::uint32_t>(options.max_samples));
@@ -111,8 +40,7 @@ bool wants_more(const PixelEstimate& e, double target, const RenderOptions& opti
   return e.error > target && 2 * e.count <= static_cast<std::uint32_t>(options.max_samples);
 }
 
-/// Takes as many pilots as something thin asks for. Their own scatter is evidence, too; `contrast`
-/// is the variance of one sample that the neighbours tell.
+/// Takes as many pilots as something thin asks for.
 void take_thin(PixelSampler& sampler, PixelEstimate& e, int x, int y, int wanted,
                const Rgb& contrast, RenderStatistics& statistics) {
   const RenderOptions& options = sampler.plan().options;
@@ -122,42 +50,11 @@ void take_thin(PixelSampler& sampler, PixelEstimate& e, int x, int y, int wanted
     grow(sampler, e, x, y, 2 * e.count, statistics);
   }
   if (e.count > first) {
-    e.variance = (fastest(e.count) * (contrast + variance_of_samples(e)) +
-                  variance_of_quarters(e, 0.5 * (1.0 + max_exponent))) /
-                 3.0;
-    set_error(e, options.encoding);
+    estimate_thin(e, contrast, options.encoding);
   }
 }
 
 }  // namespace
-
-void PixelResults::set(int x, int y, const PixelEstimate& e) {
-  const std::size_t i = index(x, y);
-  result_.film.set(x - crop_.x, y - crop_.y, e.mean());
-  result_.errors[i] = e.error;
-  result_.samples[i] = e.count;
-  result_.pilots[i] = e.pilots;
-}
-
-void PixelResults::set_row(int x, int y, int count, const Wide3& means, const Wide& errors,
-                           std::uint32_t pilots) {
-  const std::size_t begin = index(x, y);
-  for (int i = 0; i < count; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    result_.film.set(x + i - crop_.x, y - crop_.y, means.lane(i));
-    result_.errors[begin + at] = static_cast<float>(errors[at]);
-    result_.samples[begin + at] = pilots;
-    result_.pilots[begin + at] = pilots;
-  }
-}
-
-void PixelResults::clear(const Crop& area) {
-  for (int y = area.y; y < area.y + area.height; ++y) {
-    for (int x = area.x; x < area.x + area.width; ++x) {
-      set(x, y, {});
-    }
-  }
-}
 
 /// Rows from `top` to before `bottom`, at most two: in the order of blocks two pixels wide and as
 /// high, for neighbours go the same way.
@@ -227,26 +124,25 @@ void AdaptiveTile::estimate_row(PixelSampler& sampler, int y, std::span<const Pi
                                 RenderStatistics& statistics) {
   const RenderPlan& plan = sampler.plan();
   const std::uint32_t first = first_samples(plan.options);
-  const double share = share_of_contrast(first);
   const auto row = [&](int at) { return &rows[static_cast<std::size_t>(at & 3)]; };
   contrast.add_up({row(y - 1), row(y), row(y + 1)});
   for (int x = 0; x < area_.width; x += lanes) {
     const auto k = static_cast<std::size_t>(x) + 1;  // there is a neighbour before the first
     const int count = std::min(lanes, area_.width - x);
     const OwnPilots own(*row(y), k);
-    const Wide3 variance = share * contrast.variance(k);
-    const Wide3 deviation(sqrt(variance.x), sqrt(variance.y), sqrt(variance.z));
-    const Wide error = displayed_error(own.mean, claim * deviation, plan.options.encoding);
+    const Wide3 of_one = contrast.variance(k);
+    // As it is kept: rounded to floats.
+    const auto error = stdx::static_simd_cast<Wide>(stdx::static_simd_cast<Floats>(
+        estimated_error(own.mean, of_one, first, plan.options.encoding)));
     results.set_row(area_.x + x, y, count, own.mean, error, first);
-    // What is rounded to a float may be above the target only then.
-    unsigned more = bits_of(error > plan.options.max_error * (1.0 - 0x1p-20));
-    more |= bits_of(own.number < 1.0 * first) | (plan.thin ? all_lanes : 0U);
+    const unsigned more = bits_of(error > plan.options.max_error) |
+                          bits_of(own.number < 1.0 * first) | (plan.thin ? all_lanes : 0U);
     each_lane(more & ((1U << count) - 1U), [&](int i) {
       const std::size_t pixel = k + static_cast<std::size_t>(i);
       std::array<std::optional<Rgb>, pilot_samples> values;  // what is left empty was bad
       std::size_t n = 0;
       row(y)->each_of(pixel, [&](const Rgb& value) { values[n++] = value; });
-      begin_pixel(sampler, area_.x + x + i, y, std::span(values).first(first), variance.lane(i),
+      begin_pixel(sampler, area_.x + x + i, y, std::span(values).first(first), of_one.lane(i),
                   static_cast<float>(error[static_cast<std::size_t>(i)]), results, statistics);
     });
   }
@@ -254,7 +150,7 @@ void AdaptiveTile::estimate_row(PixelSampler& sampler, int y, std::span<const Pi
 
 /// A pixel that may want more than its first samples, `values`, or has bad ones among them.
 void AdaptiveTile::begin_pixel(PixelSampler& sampler, int x, int y,
-                               std::span<const std::optional<Rgb>> values, const Rgb& variance,
+                               std::span<const std::optional<Rgb>> values, const Rgb& contrast,
                                float error, PixelResults& results, RenderStatistics& statistics) {
   const RenderPlan& plan = sampler.plan();
   Open pixel{{}, x, y};
@@ -263,10 +159,9 @@ void AdaptiveTile::begin_pixel(PixelSampler& sampler, int x, int y,
   for (std::uint32_t i = 0; i < e.bad; ++i) {
     statistics.add_bad(x, y);
   }
-  e.variance = variance;
+  e.variance = variance_of_pilots(contrast, e.count);
   e.error = error;
   if (plan.thin) {
-    const Rgb contrast = variance / share_of_contrast(e.count);
     take_thin(sampler, e, x, y, thin_pilots(plan, x, y), contrast, statistics);
   }
   e.pilots = e.count;
@@ -291,8 +186,7 @@ void AdaptiveTile::double_samples(PixelSampler& sampler, std::span<Open* const> 
     const std::uint32_t more = e.count;
     count_in(e, rest.first(more), 2 * more);
     rest = rest.subspan(more);
-    e.variance = variance_when_doubled(e);
-    set_error(e, sampler.plan().options.encoding);
+    estimate_doubled(e, sampler.plan().options.encoding);
   }
 }
 

@@ -63,6 +63,8 @@ class Planner {
     for (const Light& light : job_.lights) {
       place(light);
     }
+    plan_.bounded = static_cast<std::uint32_t>(plan_.instances.size());
+    plan_.instances.insert(plan_.instances.end(), unbounded_.begin(), unbounded_.end());
     if (plan_.absorbs) {
       let_clear_glass_dim();
     }
@@ -87,9 +89,6 @@ class Planner {
   }
 
   void choose_search() {
-    const auto no_end = std::ranges::stable_partition(
-        plan_.instances, [this](const auto& i) { return box_of(plan_, i).finite(); });
-    plan_.bounded = static_cast<std::uint32_t>(plan_.instances.size() - no_end.size());
     const auto box = [this](std::uint32_t i) { return box_of(plan_, plan_.instances[i]); };
     const auto boxes = [&] {
       std::vector<Bounds> all;
@@ -111,7 +110,8 @@ class Planner {
         for (const std::uint32_t i : order) {
           arranged.push_back(plan_.instances[i]);
         }
-        arranged.insert(arranged.end(), no_end.begin(), no_end.end());
+        arranged.insert(arranged.end(), plan_.instances.begin() + plan_.bounded,
+                        plan_.instances.end());
         plan_.instances = std::move(arranged);
         break;
       }
@@ -156,8 +156,7 @@ class Planner {
     plan_.random |= planned.extended();
     extended_lights_ |= planned.extended();
     if (planned.extended() && light.visible) {
-      place(shape_of(light));
-      plan_.instances.back().shadow = Shadow::none;
+      place(shape_of(light), true);
     }
     planned.position += time_at(0.0) * light.travel - eye_;
     planned.travel *= shutter_opens() ? time_at(1.0) - time_at(0.0) : 0.0;
@@ -193,7 +192,7 @@ class Planner {
             light.where,      path_of(light, world_from_model)};
   }
 
-  void place(const Instance& from) {
+  void place(const Instance& from, bool is_light = false) {
     PlannedInstance to;
     to.order = placed_++;
     to.kind = static_cast<std::uint8_t>(from.shape->index());
@@ -201,7 +200,7 @@ class Planner {
     to.convex = convex(*from.shape);
     to.coat = materials_.coat_of(from);
     to.clear = plan_.material_of(to).transmissive;
-    to.shadow = shadow_of(plan_.material_of(to));
+    to.shadow = is_light ? Shadow::none : shadow_of(plan_.material_of(to));
     plan_.dims |= to.shadow == Shadow::dims;
     const Bounds model_box = model_box_of(plan_, to);
     if (model_box.empty()) {
@@ -211,8 +210,10 @@ class Planner {
     const Bounds box = box_of(plan_, to);
     if (box.finite()) {
       all_bounded_.extend(box);
+      plan_.instances.push_back(to);
+    } else {
+      unbounded_.push_back(to);
     }
-    plan_.instances.push_back(to);
   }
 
   void locate(const Instance& from, const Bounds& model_box, PlannedInstance& to) {
@@ -299,6 +300,7 @@ class Planner {
   MaterialPlanner materials_{job_, plan_};
   std::uint32_t placed_ = 0;
   bool extended_lights_ = false;
+  std::vector<PlannedInstance> unbounded_;  ///< they come behind the others
   Bounds all_bounded_;  ///< holds what is bounded
   std::array<std::pair<std::shared_ptr<const Shape>, std::uint32_t>, 64> recent_shapes_{};
   std::unordered_map<const MeshData*, std::uint32_t> meshes_;

@@ -106,7 +106,7 @@ void each_candidate(const RenderPlan& plan, const Ray& ray, double t_max, Visit 
       return;
     }
   }
-  if (plan.bounded == 1) {
+  if (plan.bounded == 1) {  // its shape tells as fast as its box whether the ray passes by
     visit(0);
   } else if (plan.list) {
     plan.list->walk(ray, t_max, visit);

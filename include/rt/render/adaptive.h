@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "rt/math/bytes.h"
-#include "rt/render/estimate.h"
-#include "rt/render/render.h"
+#include "rt/render/pixel_results.h"
 #include "rt/render/sample.h"
 
 namespace rt {
@@ -33,30 +32,6 @@ class Deadline {
  private:
   std::optional<Clock::time_point> end_;
   const std::atomic<bool>* stop_;
-};
-
-/// The pixels of a RenderResult, which tiles fill, each its own.
-class PixelResults {
- public:
-  /// Of the crop's pixels.
-  PixelResults(RenderResult& result, const Crop& crop) : result_(result), crop_(crop) {}
-
-  /// At picture coordinates.
-  void set(int x, int y, const PixelEstimate& e);
-  /// Of `count` pixels in a row that took `pilots` samples.
-  void set_row(int x, int y, int count, const Wide3& means, const Wide& errors,
-               std::uint32_t pilots);
-  /// Takes back what an area was given.
-  void clear(const Crop& area);
-
- private:
-  std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y - crop_.y) * static_cast<std::size_t>(crop_.width) +
-           static_cast<std::size_t>(x - crop_.x);
-  }
-
-  RenderResult& result_;
-  Crop crop_;
 };
 
 /// The pixels of a tile, on their way to an error. Every pixel's samples depend on itself and on
@@ -99,7 +74,7 @@ class AdaptiveTile {
   void estimate_row(PixelSampler& sampler, int y, std::span<const PilotRow> rows,
                     RowContrast& contrast, PixelResults& results, RenderStatistics& statistics);
   void begin_pixel(PixelSampler& sampler, int x, int y, std::span<const std::optional<Rgb>> values,
-                   const Rgb& variance, float error, PixelResults& results,
+                   const Rgb& contrast, float error, PixelResults& results,
                    RenderStatistics& statistics);
   /// Kept from call to call.
   struct Buffers {

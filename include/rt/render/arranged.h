@@ -25,6 +25,9 @@ void prefer_large_pages(const std::vector<T>& reserved) {
 /// visit(index) for every index that is kept of one, and visit changes it.
 template <class T, class EachUse>
 void arrange_table(std::vector<T>& table, EachUse&& each_use) {
+  if (table.size() < 2) {
+    return;
+  }
   constexpr std::uint32_t none = ~0U;
   std::vector<std::uint32_t> renumbered(table.size(), none);
   std::vector<T> arranged;

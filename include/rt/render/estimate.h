@@ -16,6 +16,8 @@
 /// quarters', and one from the variance of all samples, p midway to that of an edge.
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <span>
 
 #include "rt/math/vec.h"
 #include "rt/math/wide.h"
@@ -34,6 +36,23 @@ struct PixelEstimate {
 
   Rgb mean() const;
 };
+
+/// Counts the next samples in, those that are none as bad; there are to be `count` of them: from 4 on
+/// twice as many as before.
+void count_in(PixelEstimate& e, std::span<const std::optional<Rgb>> values, std::uint32_t count);
+
+/// Of a pixel's first samples: the variance of their mean, and the error that is claimed for it. The
+/// contrast: the variance of one sample.
+Rgb variance_of_pilots(const Rgb& contrast, std::uint32_t pilots);
+Wide estimated_error(const Wide3& mean, const Wide3& contrast, std::uint32_t pilots,
+                     Encoding encoding);
+
+/// Estimates anew once a pixel's samples have been doubled.
+void estimate_doubled(PixelEstimate& e, Encoding encoding);
+
+/// The same for a pixel that took more pilots than others, for the sake of something thin: their own
+/// scatter is evidence, too.
+void estimate_thin(PixelEstimate& e, const Rgb& contrast, Encoding encoding);
 
 /// The variance of the mean of `e.count` samples, from the scatter of its quarters, where it falls
 /// as n^-exponent.

@@ -1,8 +1,10 @@
 #pragma once
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
+#include "rt/math/rounding.h"
 #include "rt/render/arranged.h"
 #include "rt/render/placement.h"
 
@@ -72,14 +74,15 @@ struct TurnedMap {
   Vec3 render_point(const Vec3& p) const { return to_render * p + offset; }
   Vec3 render_vector(const Vec3& v) const { return to_render * v; }
   Vec3 render_normal(const Vec3& n) const { return scaled_to_unit(to_render * n); }
-  // Three numbers with a sum of squares s^2 add up to at most 3^(1/2) s.
+  // Three numbers with a sum of squares s^2 add up to at most 3^(1/2) s; what M lacks of a turn, and
+  // rounding, come on top.
   double model_per_render() const { return most_of_row * model_factor; }
   double render_per_model() const { return most_of_row / model_factor; }
   double model_offset() const { return model_per_render() * max_abs(offset); }
   Placement placement() const;
 
  private:
-  static constexpr double most_of_row = 1.7320508075688774 * (1 + 0x1p-40);
+  static constexpr double most_of_row = std::numbers::sqrt3 * (1 + gamma(roundings));
 };
 
 struct LinearParts {

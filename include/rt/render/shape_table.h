@@ -62,9 +62,7 @@ class ShapeColumns<std::variant<S...>> {
     if constexpr (I < sizeof...(S)) {
       auto& column = std::get<I>(columns_);
       if constexpr (!std::is_same_v<std::decay_t<decltype(column)>, std::vector<Mesh>>) {
-        if (column.size() > 1) {
-          arrange_table(column, [&](auto&& visit) { each_use(I, visit); });
-        }
+        arrange_table(column, [&](auto&& visit) { each_use(I, visit); });
       }
       arrange_from<I + 1>(each_use);
     }

@@ -127,7 +127,7 @@ bool ShadowCache::add(Entry& entry, std::uint32_t instance) {
     return false;
   }
   entry.dims = entry.dims || shadow == Shadow::dims;
-  instances_[static_cast<std::size_t>(&entry - table_.data())][entry.count++] = instance;
+  instances_[place(entry)][entry.count++] = instance;
   return true;
 }
 

@@ -56,7 +56,7 @@ Wide3 reflected(const WidePhong& phong, const WideShadingPoint& point, const Wid
 }
 
 /// What may block, each instance once, with its lanes.
-class Blockers {
+class BlockersByLane {
  public:
   /// Adds some that may block the lanes of `bits`, of points lit on the side that `from` shows: none
   /// that a point lies on itself and that cannot hide anything from it.
@@ -99,7 +99,7 @@ unsigned seeing(const RenderPlan& plan, std::size_t index, const WideShadingPoin
   // A packet's way through a hierarchy costs less than keeping account of its cells; a list's boxes
   // are all tested by every search (bench/NOTES.md).
   unsigned unknown = plan.tree ? bits : 0;
-  Blockers blockers;
+  BlockersByLane blockers;
   for (unsigned rest = bits & ~unknown; rest != 0;) {
     const double cell = cells[static_cast<std::size_t>(std::countr_zero(rest))];
     const Candidates candidates = cache.towards(index, static_cast<ShadowCache::Cell>(cell));

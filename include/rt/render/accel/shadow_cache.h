@@ -55,10 +55,10 @@ class ShadowCache {
   };
 
   Candidates answer(const Entry& entry) const {
-    return {entry.state == State::known, entry.dims, {of(entry).data(), entry.count}};
+    return {entry.state == State::known, entry.dims, {instances_[place(entry)].data(), entry.count}};
   }
-  const Instances& of(const Entry& entry) const {
-    return instances_[static_cast<std::size_t>(&entry - table_.data())];
+  std::size_t place(const Entry& entry) const {
+    return static_cast<std::size_t>(&entry - table_.data());
   }
   Bounds bounds_of(Cell cell) const;
   void fill(Entry& entry, Cell cell, std::size_t light);

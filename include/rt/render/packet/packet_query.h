@@ -16,11 +16,12 @@ PacketHits closest_hits_among(const RenderPlan& plan, std::span<const std::uint3
 
 /// The lanes of `active` whose rays something that blocks shadow rays crosses with 0 < t <= t_max.
 unsigned occluded_lanes(const RenderPlan& plan, const Packet& packet, const Wide& t_max);
-/// The same, when only these instances can, each in its own lanes.
+/// What may block some of the lanes.
 struct Blocker {
   std::uint32_t instance;
   unsigned bits;  ///< of its lanes
 };
+/// The same, when only these can, each in its own lanes.
 unsigned occluded_lanes_by(const RenderPlan& plan, std::span<const Blocker> blockers,
                            const Packet& packet, const Wide& t_max);
 
