@@ -67,36 +67,38 @@ class BoxTree {
   /// limit.
   template <class Rays, class Visit>
   void walk_together(Rays& rays, Visit& visit) const {
-    struct {
+    struct Shared {
       float near;
       std::uint32_t child;
       unsigned lanes;
-    } stack[stack_size];
+    };
+    Shared stack[stack_size];
     int size = 0;
-    if (!nodes_.empty()) {
-      stack[size++] = {0.0F, root_, rays.active()};
+    Shared next{0.0F, root_, rays.before_end(rays.active(), 0.0F)};
+    if (nodes_.empty() || next.lanes == 0) {
+      return;
     }
-    while (size > 0) {
-      const auto next = stack[--size];
-      const unsigned left = rays.before_end(next.lanes, next.near);
-      if (left == 0) {
-        continue;
-      }
-      if ((next.child & leaf) != 0) {
-        rays.limit(visit(next.child & ~leaf, left));
-        continue;
-      }
-      const Node& node = nodes_[next.child];
-      const auto touched = rays.touched(node.boxes, left);
-      const int begin = size;
-      for (unsigned hits = touched.boxes; hits != 0; hits &= hits - 1) {
-        const int box = std::countr_zero(hits);
-        int place = size++;
-        for (; place > begin && stack[place - 1].near < touched.near[box]; --place) {
-          stack[place] = stack[place - 1];
+    for (;;) {
+      if ((next.child & leaf) == 0) {
+        const Node& node = nodes_[next.child];
+        const auto touched = rays.touched(node.boxes, next.lanes);
+        if (touched.boxes != 0) {
+          const auto child = [&](int box) {
+            return Shared{touched.near[box], node.child[box], touched.lanes_at(box)};
+          };
+          next = nearest_of(touched.boxes, child, stack, size);
+          continue;
         }
-        stack[place] = {touched.near[box], node.child[box], touched.lanes_at(box)};
+      } else {
+        rays.limit(visit(next.child & ~leaf, next.lanes));
       }
+      do {
+        if (size == 0) {
+          return;
+        }
+        next = stack[--size];
+        next.lanes = rays.before_end(next.lanes, next.near);
+      } while (next.lanes == 0);
     }
   }
 
@@ -136,7 +138,8 @@ class BoxTree {
         alignas(32) float near[BoxGroup::width];
         const unsigned hits = node.boxes.touched(ray, limit, near);
         if (hits != 0) {
-          next = nearest_of(node, hits, near, stack, size);
+          next = nearest_of(
+              hits, [&](int box) { return Open{near[box], node.child[box]}; }, stack, size);
           continue;
         }
       } else {
@@ -155,16 +158,16 @@ class BoxTree {
     }
   }
 
-  /// The nearest of a node's children in `hits`; the others come on the stack, nearer ones above.
-  static Open nearest_of(const Node& node, unsigned hits, const float* near, Open* stack,
-                         int& size) {
-    const auto child = [&](int lane) { return Open{near[lane], node.child[lane]}; };
-    const Open first = child(std::countr_zero(hits));
+  /// The nearest of a node's children in `hits`, not 0; the others come on the stack, nearer ones
+  /// above. child(box) says what is kept of one.
+  template <class Child, class Item>
+  static Item nearest_of(unsigned hits, const Child& child, Item* stack, int& size) {
+    const Item first = child(std::countr_zero(hits));
     hits &= hits - 1;
     if (hits == 0) {  // mostly they are one or two: those need no sorting
       return first;
     }
-    const Open second = child(std::countr_zero(hits));
+    const Item second = child(std::countr_zero(hits));
     hits &= hits - 1;
     const int begin = size;
     stack[size++] = first.near < second.near ? second : first;
@@ -173,7 +176,7 @@ class BoxTree {
     }
     stack[size++] = first.near < second.near ? first : second;
     for (; hits != 0; hits &= hits - 1) {
-      const Open next = child(std::countr_zero(hits));
+      const Item next = child(std::countr_zero(hits));
       int place = size++;
       for (; place > begin && stack[place - 1].near < next.near; --place) {
         stack[place] = stack[place - 1];
