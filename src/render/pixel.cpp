@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "rt/math/wide.h"
+
 namespace rt {
 namespace {
 
@@ -57,7 +59,7 @@ bool uniform_row(PixelSampler& sampler, int x, int y, int count, std::span<Rgb> 
 // In the order of blocks two pixels high: neighbours go the same way.
 void centre_samples(PixelSampler& sampler, const Crop& tile, const Crop& crop, Film& film,
                     RenderStatistics& statistics) {
-  constexpr int across = 4;
+  constexpr int across = std::max(lanes / 2, 1);  // of a block that one packet takes
   std::vector<PixelSample> wanted;  // of two rows, which move down
   for (int x = tile.x; x < tile.x + tile.width; x += across) {
     for (int j = 0; j < 2; ++j) {
