@@ -96,7 +96,7 @@ Placement LinearMap::placement() const {
   return p;
 }
 
-PlacementTable::Id PlacementTable::add(const Placement& placement) {
+PlacementTable::Id PlacementTable::add(const Placement& placement, bool round) {
   const auto& [to_render, offset] = placement.render_from_model;
   const Mat3& to_model = placement.model_from_render.linear;
   if (placement.moved_only) {
@@ -108,6 +108,10 @@ PlacementTable::Id PlacementTable::add(const Placement& placement) {
   }
   if (is_multiple(to_render) && is_multiple(to_model)) {
     return {MapKind::scaled, appended(scaled_, {offset, to_render[0][0], to_model[0][0]})};
+  }
+  if (const double factor = round ? factor_of_turn(to_render) : 0.0; factor > 0.0) {
+    const Affine unturned{Mat3(1 / factor), offset};
+    return add({unturned, {Mat3(factor), factor * -offset}});
   }
   return add_linear(placement);
 }

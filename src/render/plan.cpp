@@ -221,9 +221,15 @@ class Planner {
     plan_.moves |= moves;
     const PlacementTable::Id id = moves
                                       ? plan_.placements.add(at_open(from), moving(from, model_box))
-                                      : plan_.placements.add(at_open(from));
+                                      : plan_.placements.add(at_open(from), round(from, to));
     to.map = id.kind;
     to.placement = id.index;
+  }
+
+  /// A ball about its origin, of one look all over.
+  bool round(const Instance& from, const PlannedInstance& to) const {
+    const auto* ball = std::get_if<Sphere>(from.shape.get());
+    return ball != nullptr && ball->centre == Vec3(0.0) && !plan_.material_of(to).textures;
   }
 
   Placement at_open(const Instance& from) const {

@@ -118,7 +118,8 @@ class PlacementTable {
     std::uint32_t index;  ///< among those of its kind
   };
 
-  Id add(const Placement& placement);
+  /// `round`: of what is the same however it is turned about its origin. Turns are then left out.
+  Id add(const Placement& placement, bool round = false);
   /// `at_open`: where it is when the shutter opens.
   Id add(const Placement& at_open, PlannedMotion motion);
 
