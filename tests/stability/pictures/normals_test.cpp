@@ -51,8 +51,13 @@ bool check(const Shape& shape, const Affine& placed, const Ray& in_model) {
   // mirrored; and the images of tangents lie in it.
   const SurfacePoint p = model_point(plan, ray, *hit);
   const double side = seen.side == Leaving::outward ? 1 : -1;
+  // Turns of balls are left out of a plan.
+  const Mat3 linear = plan.placement(plan.instances[hit->instance]).render_from_model.linear;
+  if (!std::holds_alternative<Sphere>(shape)) {
+    EXPECT_EQ(linear, placed.linear);
+  }
   const auto image = [&](const Vec3& v) {
-    const Vec3 w = placed.linear * v;
+    const Vec3 w = linear * v;
     return glm::normalize(w / std::max({std::abs(w.x), std::abs(w.y), std::abs(w.z)}));
   };
   EXPECT_GT(side * glm::dot(seen.normal, image(p.normal)), 0);

@@ -4,6 +4,7 @@
 #include "rt/render/accel/box_tree.h"
 #include "rt/render/accel/grid.h"
 #include "rt/render/plan.h"
+#include "pictures.h"
 #include "scenes.h"
 
 namespace rt {
@@ -92,18 +93,71 @@ TEST(PlanMemory, OfAMeshTurnedAnyWayFitsAMillionInTwoGigabytes) {
   expect_bytes(job, 30.0 + 12 * sizeof(double), 185.0);
 }
 
-TEST(PlanMemory, OfBallsTurnedAndColouredEachInItsWay) {
+/// Each turned and coloured in its own way.
+RenderJob coloured(const Shape& shape) {
   RenderJob job = test::job_looking({-40, 50, -60}, {30, 30, 30}, 32, 24);
-  const auto ball = std::make_shared<const Shape>(Sphere{});
+  const auto shared = std::make_shared<const Shape>(shape);
   for (std::size_t i = 0; i < count; ++i) {
     const auto angle = static_cast<double>(i);
     const auto material = std::make_shared<Material>();
     material->kd = Rgb(angle / count, 0.5, 0.2);
     job.instances.push_back({Affine::translation(place(i)) * Affine::rotation(1, angle) *
                                  Affine::scaling(Vec3(0.7)),
-                             ball, material, nullptr, "ball"});
+                             shared, material, nullptr, "thing"});
   }
-  EXPECT_LT(bytes_each(make_plan(job)), most_bytes);
+  return job;
+}
+
+TEST(PlanMemory, OfRingsTurnedAndColouredEachInItsWay) {
+  EXPECT_LT(bytes_each(make_plan(coloured(Torus{}))), most_bytes);
+}
+
+TEST(PlanMemory, OfBallsWhoseTurnsDoNotShow) {
+  const RenderPlan plan = make_plan(coloured(Sphere{}));
+  EXPECT_LT(bytes_each(plan), most_bytes - 8 * sizeof(double));
+  for (const PlannedInstance& ball : plan.instances) {
+    ASSERT_EQ(ball.map, MapKind::scaled);
+  }
+}
+
+/// How a ball is mapped in a plan of it alone.
+MapKind kind_of_ball(const Affine& map, const Sphere& ball = {}, bool chequered = false) {
+  RenderJob job = test::job_looking({0, 0, 5}, {0, 0, 0}, 32, 24);
+  test::add(job, ball, map, Material{});
+  if (chequered) {
+    test::paint(job, Checker{Rgb(1.0), Rgb(0.0), 1.0});
+  }
+  return make_plan(job).instances.at(0).map;
+}
+
+TEST(PlanMemory, TurnsOfBallsStayWhereTheyShow) {
+  const Affine turn = Affine::rotation(1, 33);
+  const Affine map = turn * Affine::scaling(Vec3(0.7));
+  EXPECT_EQ(kind_of_ball(map), MapKind::scaled);
+  EXPECT_EQ(kind_of_ball(Affine::rotation(1, 90)), MapKind::moved);  // exactly a turn
+  EXPECT_EQ(kind_of_ball(map, Sphere{{1, 0, 0}, 1.0}), MapKind::turned);
+  EXPECT_EQ(kind_of_ball(turn * Affine::scaling({1, 1, 1 + 1e-14})), MapKind::linear);
+  EXPECT_EQ(kind_of_ball(map, {}, true), MapKind::turned);
+}
+
+TEST(PlanMemory, ABallWithoutItsTurnIsTheSameBall) {
+  PlacementTable table;
+  for (const double size : {1.0, -0.3, 3e-9, 1e150}) {
+    for (int i = 0; i < 50; ++i) {
+      const Affine map = Affine::translation(size * Vec3(3, -1, 2)) * Affine::rotation(1, 7.3 * i) *
+                         Affine::rotation(0, 11.9 * i) * Affine::scaling(Vec3(size));
+      const auto [kind, index] = table.add(Placement(map, *inverse(map)), true);
+      ASSERT_NE(kind, MapKind::turned);
+      ASSERT_NE(kind, MapKind::linear);
+      table.visit(kind, index, 0.0, [&](const auto& ball) {
+        EXPECT_EQ(ball.render_point(Vec3(0.0)), map.offset);
+        const Vec3 n = glm::normalize(Vec3(1, -2, i));
+        const double reach = 1 + ball.model_per_render() * max_abs(map.offset);
+        // The way there and back, and the turn's own roundings, of which there are at most twelve.
+        EXPECT_NEAR(glm::length(ball.model_point(map.point(n))), 1.0, gamma(12 + 24) * reach);
+      });
+    }
+  }
 }
 
 /// That b is a but for what a map of that kind may err at a place of this size.
