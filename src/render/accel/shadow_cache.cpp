@@ -72,6 +72,7 @@ ShadowCache::ShadowCache(const RenderPlan& plan) : plan_(plan), fineness_(finene
     lights_.push_back(box_of(light));
   }
   last_.resize(lights_.size());
+  last_blockers_.resize(lights_.size(), no_instance);
   if (plan.list || plan.tree || plan.shaft_list || plan.bounded == 0) {
     table_.resize(entries);
     instances_.resize(entries);

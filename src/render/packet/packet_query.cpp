@@ -158,13 +158,17 @@ PacketHits closest_hits_among(const RenderPlan& plan, std::span<const std::uint3
   return nearest.hits();
 }
 
-unsigned occluded_lanes(const RenderPlan& plan, const Packet& packet, const Wide& t_max) {
+unsigned occluded_lanes(const RenderPlan& plan, const Packet& packet, const Wide& t_max,
+                        std::uint32_t& last) {
   unsigned found = 0;
   Wide limit = t_max;
   each_candidate(plan, packet, t_max, [&](std::uint32_t id, unsigned bits) {
     bits &= ~(found | gone_for_good(plan, id, packet.instance, packet.outward));
     if (bits != 0 && may_block(plan.instances[id])) {
-      found |= bits_of(crossings(plan, id, packet, bits, t_max).hit);
+      if (const unsigned hit = bits_of(crossings(plan, id, packet, bits, t_max).hit)) {
+        found |= hit;
+        last = id;
+      }
       limit = select(mask_of(found), Wide(-1.0), t_max);
     }
     return limit;

@@ -50,7 +50,9 @@ void compare(const RenderPlan& plan, const Packet& packet, Random& random, Tally
   for (std::size_t i = 0; i < lanes; ++i) {
     t_max[i] = random.uniform(-1, 15);
   }
-  const unsigned blocked = occluded_lanes(plan, packet, t_max);
+  std::uint32_t last = no_instance;
+  const unsigned blocked = occluded_lanes(plan, packet, t_max, last);
+  EXPECT_EQ(blocked == 0, last == no_instance);
   ASSERT_EQ(blocked & ~packet.active, 0u);
   each_lane(packet.active, [&](int i) {
     const auto at = static_cast<std::size_t>(i);

@@ -35,6 +35,9 @@ class ShadowCache {
   /// asked in this cell before; then the answer is the same whatever was asked.
   Candidates towards(std::size_t light, Cell cell, bool at_once = false);
 
+  /// The instance that has hidden a light last, as whoever asks sees it; at first no_instance.
+  std::uint32_t& last_blocker(std::size_t light) { return last_blockers_[light]; }
+
  private:
   static constexpr std::size_t entries = 1024;
   enum class State : std::uint8_t { unknown, many, known };
@@ -68,6 +71,7 @@ class ShadowCache {
   int fineness_;  ///< cells are 2^-fineness of the power of two below their distance
   std::vector<Bounds> lights_;
   std::vector<Last> last_;  ///< by light
+  std::vector<std::uint32_t> last_blockers_;
   std::vector<Entry> table_;
   std::vector<Instances> instances_;  ///< of the entries
 };

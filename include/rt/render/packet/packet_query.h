@@ -15,7 +15,9 @@ PacketHits closest_hits_among(const RenderPlan& plan, std::span<const std::uint3
                               const Packet& packet);
 
 /// The lanes of `active` whose rays something that blocks shadow rays crosses with 0 < t <= t_max.
-unsigned occluded_lanes(const RenderPlan& plan, const Packet& packet, const Wide& t_max);
+/// `last` becomes what was found last, if something was.
+unsigned occluded_lanes(const RenderPlan& plan, const Packet& packet, const Wide& t_max,
+                        std::uint32_t& last);
 /// What may block some of the lanes.
 struct Blocker {
   std::uint32_t instance;
