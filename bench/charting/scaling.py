@@ -7,8 +7,9 @@ SCENES = {"balls and rings": ROOT / "bench/charting/scenes/many.lua",
           "a mesh's triangles": ROOT / "bench/charting/scenes/sheet.lua",
           "instances of a mesh": ROOT / "bench/charting/scenes/crowd.lua"}
 GROWTH, BUILD, BYTES = 3, 3, 200  # aimed at: times, seconds, bytes a primitive
-# A million things are 13 a pixel of the first, each met by at most a few rays, and one of the second.
-SIZES = ("320x240", "1280x960")
+# A million things are 13 a pixel of the first, each met by at most a few rays, one of the second, a
+# fifth of one of the third.
+SIZES = ("320x240", "1280x960", "2560x1920")
 
 
 def case_of(context, label, count, size):
@@ -40,7 +41,7 @@ def draw(data):
             if y != "ns_per_ray" and index % sizes > 0:
                 continue  # the same whatever the picture's size
             axes.plot([r["primitives"] for r in rows], [r[y] for r in rows],
-                      style.MARKS[index // sizes] + ("-", ":")[index % sizes],
+                      style.MARKS[index // sizes] + ("-", "--", ":")[index % sizes],
                       label=name.split(",")[0] if index % sizes == 0 else None,
                       color=style.COLOURS[index // sizes])
         style.log_log(axes, "primitives", label, title)
@@ -49,7 +50,7 @@ def draw(data):
     panels[0].legend(fontsize=7.5)
     return figure, ("Building: compiling the scene that the script has made; memory: what that "
                     "allocates beyond the script's own. Grey: aimed at. One ray a pixel of "
-                    f"{data[NAME][0]['size']} (dotted, if any: {SIZES[-1]}), medians of "
+                    f"{data[NAME][0]['size']} (dashed, dotted, if any: {SIZES[1]}, {SIZES[2]}), medians of "
                     f"{data[NAME][0]['runs']:.0f} runs.")
 
 
