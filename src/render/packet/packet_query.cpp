@@ -142,9 +142,13 @@ bool may_block(const PlannedInstance& instance) { return instance.shadow == Shad
 
 PacketHits closest_hits(const RenderPlan& plan, const Packet& packet) {
   WideNearest nearest(plan, packet);
-  each_candidate(plan, packet, Wide(inf), [&](std::uint32_t id, unsigned bits) {
-    nearest.offer(id, crossings(plan, id, packet, bits, nearest.limit()));
-    return nearest.limit();
+  each_candidate(plan, packet, Wide(inf), [&](std::uint32_t id, unsigned bits) -> const Wide* {
+    const WideHit crossing = crossings(plan, id, packet, bits, nearest.limit());
+    if (!any(crossing.hit)) {
+      return nullptr;
+    }
+    nearest.offer(id, crossing);
+    return &nearest.limit();
   });
   return nearest.hits();
 }
@@ -162,16 +166,17 @@ unsigned occluded_lanes(const RenderPlan& plan, const Packet& packet, const Wide
                         std::uint32_t& last) {
   unsigned found = 0;
   Wide limit = t_max;
-  each_candidate(plan, packet, t_max, [&](std::uint32_t id, unsigned bits) {
+  each_candidate(plan, packet, t_max, [&](std::uint32_t id, unsigned bits) -> const Wide* {
     bits &= ~(found | gone_for_good(plan, id, packet.instance, packet.outward));
     if (bits != 0 && may_block(plan.instances[id])) {
       if (const unsigned hit = bits_of(crossings(plan, id, packet, bits, t_max).hit)) {
         found |= hit;
         last = id;
+        limit = select(mask_of(found), Wide(-1.0), t_max);
+        return &limit;
       }
-      limit = select(mask_of(found), Wide(-1.0), t_max);
     }
-    return limit;
+    return nullptr;
   });
   return found & packet.active;
 }

@@ -46,6 +46,8 @@ class PacketBoxRays {
     limits_ = far + stdx::abs(far) * 0x1p-20F + 0x1p-17F;
     ended_ = bits_of(t_max < 0.0);
   }
+  /// Whether all have left.
+  bool ended() const { return (active_ & ~ended_) == 0; }
   /// Which lanes of `bits` do not end before the float parameter.
   unsigned before_end(unsigned bits, float near) const {
     const Floats::mask_type before = !(limits_ < near);
@@ -96,8 +98,8 @@ class PacketBoxRays {
   unsigned ended_ = 0;
 };
 
-/// Calls visit(index, lanes) -> Wide for every box of a list that lanes may touch; what it returns
-/// is the lanes' new t_max.
+/// Calls visit(index, lanes) -> const Wide* for every box of a list that lanes may touch; what it
+/// returns is the lanes' new t_max, null where it is the old one.
 template <class Visit>
 void walk_packet(const BoxList& list, const Packet& packet, const Wide& t_max, Visit&& visit) {
   PacketBoxRays rays(list.space(), packet, t_max);
@@ -108,9 +110,11 @@ void walk_packet(const BoxList& list, const Packet& packet, const Wide& t_max, V
       const int box = BoxGroup::nearest(hits, touched.near);
       hits &= ~(1U << box);
       if (const unsigned bits = rays.before_end(touched.lanes_at(box), touched.near[box])) {
-        rays.limit(
-            visit(static_cast<std::uint32_t>(BoxGroup::width * g) + static_cast<std::uint32_t>(box),
-                  bits));
+        const auto index = static_cast<std::uint32_t>(BoxGroup::width * g) +
+                           static_cast<std::uint32_t>(box);
+        if (const Wide* shorter = visit(index, bits)) {
+          rays.limit(*shorter);
+        }
       }
     }
   }
@@ -123,12 +127,15 @@ void walk_packet(const BoxTree& tree, const Packet& packet, const Wide& t_max, V
   tree.walk_together(rays, visit);
 }
 
-/// Calls visit(instance, lanes) -> Wide for all that lanes of the packet may cross before t_max;
-/// what it returns is their new t_max, negative where a lane's search has ended.
+/// Calls visit(instance, lanes) -> const Wide* for all that lanes of the packet may cross before
+/// t_max; what it returns is their new t_max, negative where a lane's search has ended; null where it
+/// is the old one.
 template <class Visit>
 void each_candidate(const RenderPlan& plan, const Packet& packet, Wide t_max, Visit visit) {
   for (const std::uint32_t id : plan.unbounded()) {
-    t_max = visit(id, packet.active);
+    if (const Wide* shorter = visit(id, packet.active)) {
+      t_max = *shorter;
+    }
   }
   if (plan.list) {
     walk_packet(*plan.list, packet, t_max, visit);
@@ -139,7 +146,9 @@ void each_candidate(const RenderPlan& plan, const Packet& packet, Wide t_max, Vi
       const auto at = static_cast<std::size_t>(i);
       if (!(t_max[at] < 0.0)) {
         plan.grid->walk(packet.ray.lane(i), t_max[at], [&](std::uint32_t id) {
-          t_max = visit(id, 1U << i);
+          if (const Wide* shorter = visit(id, 1U << i)) {
+            t_max = *shorter;
+          }
           return double{t_max[at]};
         });
       }

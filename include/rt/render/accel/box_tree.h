@@ -63,8 +63,8 @@ class BoxTree {
   }
 
   /// Several rays together: `rays` (packet_walk.h) says which of them may touch a group's boxes,
-  /// and visit(index, lanes) is called for every box that some may, with what is then their new
-  /// limit.
+  /// and visit(index, lanes) is called for every box that some may; it returns their new limit,
+  /// or null where that is the old one.
   template <class Rays, class Visit>
   void walk_together(Rays& rays, Visit& visit) const {
     struct Shared {
@@ -90,7 +90,12 @@ class BoxTree {
           continue;
         }
       } else {
-        rays.limit(visit(next.child & ~leaf, next.lanes));
+        if (const auto* shorter = visit(next.child & ~leaf, next.lanes)) {
+          rays.limit(*shorter);
+          if (rays.ended()) {
+            return;
+          }
+        }
       }
       do {
         if (size == 0) {
