@@ -89,12 +89,10 @@ class BoxTree {
           next = nearest_of(touched.boxes, child, stack, size);
           continue;
         }
-      } else {
-        if (const auto* shorter = visit(next.child & ~leaf, next.lanes)) {
-          rays.limit(*shorter);
-          if (rays.ended()) {
-            return;
-          }
+      } else if (const auto* shorter = visit(next.child & ~leaf, next.lanes)) {
+        rays.limit(*shorter);
+        if (rays.ended()) {
+          return;
         }
       }
       do {
