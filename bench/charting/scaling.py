@@ -47,7 +47,7 @@ def draw(data):
         style.log_log(axes, "primitives", label, title)
     panels[1].axhline(BUILD, color=style.GREY, linewidth=0.8, linestyle=":")
     panels[2].axhline(BYTES, color=style.GREY, linewidth=0.8, linestyle=":")
-    panels[0].legend(fontsize=7.5)
+    panels[0].legend(fontsize=7.5, loc="lower right")
     return figure, ("Building: compiling the scene that the script has made; memory: what that "
                     "allocates beyond the script's own. Grey: aimed at. One ray a pixel of "
                     f"{data[NAME][0]['size']} (dashed, dotted, if any: {SIZES[1]}, {SIZES[2]}), medians of "
