@@ -10,7 +10,6 @@
 #include <span>
 
 #include "../parallel.h"
-#include "rt/render/arranged.h"
 
 namespace rt {
 namespace {
@@ -150,7 +149,6 @@ class BoxTree::Layout {
  public:
   explicit Layout(const std::vector<Node>& from) : from_(from) {
     nodes_.reserve(from.size());
-    prefer_large_pages(nodes_);
   }
 
   /// A node and all below it; its new index.

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
+#include "pictures.h"
 #include "rt/math/rounding.h"
 #include "rt/render/accel/box_tree.h"
 #include "rt/render/accel/grid.h"
 #include "rt/render/plan.h"
-#include "pictures.h"
 #include "scenes.h"
 
 namespace rt {
