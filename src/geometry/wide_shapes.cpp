@@ -299,4 +299,22 @@ WideSurfacePoint surface_point(const Cylinder&, const WideRay& ray, const Wide& 
        select(side, sine, Wide(0.0))}};
 }
 
+Wide3 normal_change(const Sphere& shape, const WideSurfacePoint&, const Wide&, const Wide3& step) {
+  return step / Wide(shape.radius);
+}
+Wide3 normal_change(const Plane&, const WideSurfacePoint&, const Wide&, const Wide3&) {
+  return Wide3(Wide(0.0));
+}
+Wide3 normal_change(const Square&, const WideSurfacePoint&, const Wide&, const Wide3&) {
+  return Wide3(Wide(0.0));
+}
+Wide3 normal_change(const Box&, const WideSurfacePoint&, const Wide&, const Wide3&) {
+  return Wide3(Wide(0.0));
+}
+Wide3 normal_change(const Cylinder&, const WideSurfacePoint&, const Wide& feature,
+                    const Wide3& step) {
+  const WideMask side = feature == 0.0;
+  return {select(side, step.x, Wide(0.0)), Wide(0.0), select(side, step.z, Wide(0.0))};
+}
+
 }  // namespace rt

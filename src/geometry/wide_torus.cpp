@@ -194,24 +194,50 @@ WideMask leaves_for_good(const Torus& shape, const WideRay& ray) {
   return cubic(s) > 2 * polynomial_noise * size * size * size;
 }
 
+namespace {
+
+/// As Meridian and sheet_at(), of several points.
+struct WideSheet {
+  Wide radius, cosine, sine;
+  Wide sheet;
+
+  WideSheet(const Torus& shape, const Wide3& p) {
+    const Wide rho = sqrt(p.x * p.x + p.z * p.z);
+    const WideMask off_axis = rho > 0.0;
+    radius = select(off_axis, rho, Wide(0.0));
+    cosine = select(off_axis, p.x / rho, Wide(1.0));
+    sine = select(off_axis, p.z / rho, Wide(0.0));
+    const WideMask apple =
+        abs(factor(shape, radius, p.y, 1)) <= abs(factor(shape, radius, p.y, -1));
+    sheet = select(apple, Wide(1.0), Wide(-1.0));
+  }
+};
+
+}  // namespace
+
 WideSurfacePoint surface_point(const Torus& shape, const WideRay& ray, const Wide& t, const Wide&) {
   const Wide3 p = fused_at(ray.origin, ray.direction, t);
-  const Wide rho = sqrt(p.x * p.x + p.z * p.z);
-  const WideMask off_axis = rho > 0.0;
-  const Wide m_radius = select(off_axis, rho, Wide(0.0));
-  const Wide m_cosine = select(off_axis, p.x / rho, Wide(1.0));
-  const Wide m_sine = select(off_axis, p.z / rho, Wide(0.0));
-  const WideMask apple =
-      abs(factor(shape, m_radius, p.y, 1)) <= abs(factor(shape, m_radius, p.y, -1));
-  const Wide sheet = select(apple, Wide(1.0), Wide(-1.0));
-  const Wide w = m_radius - sheet * shape.major_radius;
+  const WideSheet m(shape, p);
+  const Wide w = m.radius - m.sheet * shape.major_radius;
   const Wide length = sqrt(w * w + p.y * p.y);
   const WideMask off_ring = length > 0.0;
   const Wide cosine = select(off_ring, w / length, Wide(1.0));
   const Wide sine = select(off_ring, p.y / length, Wide(0.0));
-  const Wide radius = sheet * shape.major_radius + shape.minor_radius * cosine;
-  return {{radius * m_cosine, shape.minor_radius * sine, radius * m_sine},
-          sheet * Wide3(cosine * m_cosine, sine, cosine * m_sine)};
+  const Wide radius = m.sheet * shape.major_radius + shape.minor_radius * cosine;
+  return {{radius * m.cosine, shape.minor_radius * sine, radius * m.sine},
+          m.sheet * Wide3(cosine * m.cosine, sine, cosine * m.sine)};
+}
+
+Wide3 normal_change(const Torus& shape, const WideSurfacePoint& point, const Wide&,
+                    const Wide3& step) {
+  const Wide3& p = point.position;
+  const WideSheet m(shape, p);
+  const Wide R = m.sheet * shape.major_radius;
+  const Wide3 along(-m.sine, Wide(0.0), m.cosine);
+  const Wide turn = select(m.radius > 0.0, dot(step, along) / m.radius, Wide(0.0));
+  const Wide3 from_ring = p - R * Wide3(m.cosine, Wide(0.0), m.sine);
+  const Wide3 change = (step - R * turn * along) / Wide(shape.minor_radius);
+  return select(dot(from_ring, point.normal) < 0.0, -change, change);
 }
 
 }  // namespace rt

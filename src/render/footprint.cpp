@@ -19,13 +19,6 @@ Vec3 across(const Vec3& v, const Vec3& axis) {
   return glm::normalize(glm::cross(axis, other));
 }
 
-/// Change of a unit vector along v when v changes by dv.
-Vec3 unit_change(const Vec3& v, const Vec3& dv) {
-  const double length = glm::length(v);
-  const Vec3 unit = v / length;
-  return (dv - glm::dot(unit, dv) * unit) / length;
-}
-
 }  // namespace
 
 double sample_spacing(const RenderOptions& options) {
@@ -45,54 +38,6 @@ double sample_spacing(const RenderOptions& options) {
   return std::min(1.0 / std::sqrt(std::min(4.0, 1.0 * options.max_samples)), narrow);
 }
 
-RayDifferential camera_differential(const CameraFrame& camera, const RenderOptions& options,
-                                    const Vec3& direction) {
-  const double spacing = sample_spacing(options);
-  return {Vec3(0.0), Vec3(0.0),
-          unit_change(direction, 2.0 * spacing / options.width * camera.right),
-          unit_change(direction, 2.0 * spacing / options.height * camera.down)};
-}
-
-RayDifferential arrived(const RayDifferential& ray, const Vec3& direction, double t,
-                        const Vec3& normal) {
-  const double d_dot_n = glm::dot(direction, normal);
-  const auto on_plane = [&](const Vec3& dp, const Vec3& dd) {
-    const Vec3 carried = dp + t * dd;
-    const Vec3 on = carried - glm::dot(carried, normal) / d_dot_n * direction;
-    return all_finite(on) ? on : carried;  // along the plane there is no crossing
-  };
-  return {on_plane(ray.dp_dx, ray.dd_dx), on_plane(ray.dp_dy, ray.dd_dy), ray.dd_dx, ray.dd_dy};
-}
-
-// R = D - 2 (D.N) N, differentiated.
-RayDifferential reflected(const RayDifferential& at, const Vec3& direction,
-                          const NormalDifferential& n) {
-  const double d_dot_n = glm::dot(direction, n.normal);
-  const auto turned = [&](const Vec3& dd, const Vec3& dn) {
-    const double change = glm::dot(dd, n.normal) + glm::dot(direction, dn);
-    return dd - 2.0 * (d_dot_n * dn + change * n.normal);
-  };
-  return {at.dp_dx, at.dp_dy, turned(at.dd_dx, n.dn_dx), turned(at.dd_dy, n.dn_dy)};
-}
-
-// T = eta D - mu N with mu = eta D.N - T.N and (T.N)^2 = 1 - eta^2 (1 - (D.N)^2), differentiated.
-RayDifferential refracted(const RayDifferential& at, const Vec3& direction,
-                          const NormalDifferential& n, double eta) {
-  const double d_dot_n = glm::dot(direction, n.normal);
-  const double square = 1.0 - eta * eta * (1.0 - d_dot_n * d_dot_n);
-  if (!(square > 0.0)) {
-    return at;
-  }
-  const double t_dot_n = -std::sqrt(square);
-  const double mu = eta * d_dot_n - t_dot_n;
-  const double rate = eta - eta * eta * d_dot_n / t_dot_n;
-  const auto turned = [&](const Vec3& dd, const Vec3& dn) {
-    const double change = glm::dot(dd, n.normal) + glm::dot(direction, dn);
-    return eta * dd - (mu * dn + rate * change * n.normal);
-  };
-  return {at.dp_dx, at.dp_dy, turned(at.dd_dx, n.dn_dx), turned(at.dd_dy, n.dn_dy)};
-}
-
 // A lobe of density ~ cos^e has E[sin^2] = 2 / (e + 3), half of it along each axis; the box of that
 // variance is sqrt(12 / (e + 3)) wide.
 RayDifferential widened(const RayDifferential& perfect, const Vec3& drawn,
@@ -110,22 +55,19 @@ RayDifferential widened(const RayDifferential& perfect, const Vec3& drawn,
 NormalDifferential normal_differential(const RenderPlan& plan, const ShadingPoint& point,
                                        const RayDifferential& at) {
   const PlannedInstance& instance = plan.instances[point.instance];
-  const PlacementAt placement(plan, instance, point.time);
-  const Mat3& to_model = placement->model_from_render.linear;
   const double sign = point.side == Leaving::outward ? 1.0 : -1.0;
-  // Normals map back by the transpose of the map that carried points.
-  const auto model_normal = [&](const Vec3& n) {
-    return glm::normalize(sign * (n * placement->render_from_model.linear));
-  };
-  const SurfacePoint p{placement->model_from_render.point(point.position),
-                       model_normal(point.normal), model_normal(point.shading_normal)};
-  const auto change = [&](const Vec3& step) {
-    const Vec3 in_model = plan.visit(instance, [&](const auto& shape) {
-      return normal_change(shape, p, point.feature, to_model * step);
-    });
-    return unit_change(p.shading_normal * to_model, sign * (in_model * to_model));
-  };
-  return {point.shading_normal, change(at.dp_dx), change(at.dp_dy)};
+  return plan.map(instance, point.time, [&](const auto& map) -> NormalDifferential {
+    const SurfacePoint p{map.model_point(point.position), map.model_normal(sign * point.normal),
+                         map.model_normal(sign * point.shading_normal)};
+    const auto change = [&](const Vec3& step) {
+      const Vec3 in_model = plan.visit(instance, [&](const auto& shape) {
+        return normal_change(shape, p, point.feature, map.model_vector(step));
+      });
+      return unit_change(map.render_covector(p.shading_normal),
+                         sign * map.render_covector(in_model));
+    };
+    return {point.shading_normal, change(at.dp_dx), change(at.dp_dy)};
+  });
 }
 
 FootprintTrail::FootprintTrail(const RenderPlan& plan)
@@ -147,15 +89,18 @@ void FootprintTrail::arrive(std::size_t open, const TraceRay& ray, double t, Sha
   // What lies above is of paths that met nothing.
   here_ = arrived(open_[open], ray.direction, t, point.normal);
   open_.resize(open);
+  normal_.reset();
   point.footprint = std::sqrt(glm::length(here_.dp_dx) * glm::length(here_.dp_dy));
 }
 
 void FootprintTrail::branch(const ShadingPoint& point, const Vec3& incoming, const Vec3& direction,
                             double eta, const PowerCosineLobe* lobe) {
-  const NormalDifferential n = normal_differential(plan_, point, here_);
+  if (!normal_) {
+    normal_ = normal_differential(plan_, point, here_);
+  }
   const RayDifferential next = glm::dot(direction, point.normal) > 0.0
-                                   ? reflected(here_, incoming, n)
-                                   : refracted(here_, incoming, n, eta);
+                                   ? reflected(here_, incoming, *normal_)
+                                   : refracted(here_, incoming, *normal_, eta);
   open_.push_back(lobe == nullptr ? next : widened(next, direction, *lobe, spacing_));
 }
 

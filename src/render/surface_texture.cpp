@@ -139,7 +139,7 @@ Vec3 facing(const Vec3& n, const Vec3& view, const Vec3& geometric) {
   return length > 0.0 ? side / length : geometric;
 }
 
-void tilt(TexturePoint& at, const TextureSet& textures, const Placement& placement,
+void tilt(TexturePoint& at, const RenderPlan& plan, const TextureSet& textures,
           const Vec3& direction, ShadingPoint& point) {
   const TextureSet::Entry& map = textures[TextureSlot::normal];
   const TextureSet::Entry& bump = textures[TextureSlot::bump];
@@ -153,7 +153,8 @@ void tilt(TexturePoint& at, const TextureSet& textures, const Placement& placeme
   if (bump.texture) {
     n = bumped(at, bump, n);
   }
-  n = placement.render_normal(n);
+  n = plan.map(plan.instances[point.instance], point.time,
+               [&](const auto& placed) { return placed.render_normal(n); });
   if (point.side == Leaving::inward) {
     n = -n;
   }
@@ -184,15 +185,21 @@ TextureSet::Entry in_force(const TextureSet::Entry& entry, const RenderOptions& 
 Reflectances textured(const RenderPlan& plan, const TraceRay& ray, const SceneHit& hit,
                       const PlannedMaterial& material, const RayDifferential* here,
                       ShadingPoint& point) {
-  const PlacementAt placement(plan, plan.instances[hit.instance], ray.time);
+  const PlannedInstance& instance = plan.instances[hit.instance];
   const TextureSet& textures = *material.textures;
-  const Mat3& to_model = placement->model_from_render.linear;
-  TexturePoint at(plan, hit, model_point(plan, ray, hit), here ? to_model * here->dp_dx : Vec3(0.0),
-                  here ? to_model * here->dp_dy : Vec3(0.0));
-  tilt(at, textures, *placement, ray.direction, point);
+  Vec3 dp_dx(0.0);
+  Vec3 dp_dy(0.0);
+  if (here != nullptr) {
+    plan.map(instance, ray.time, [&](const auto& map) {
+      dp_dx = map.model_vector(here->dp_dx);
+      dp_dy = map.model_vector(here->dp_dy);
+    });
+  }
+  TexturePoint at(plan, hit, model_point(plan, ray, hit), dp_dx, dp_dy);
+  tilt(at, plan, textures, ray.direction, point);
   const auto& kd = textures[TextureSlot::kd].texture;
   const auto& ks = textures[TextureSlot::ks].texture;
-  const Reflectances plain = plan.plain(plan.instances[hit.instance]);
+  const Reflectances plain = plan.plain(instance);
   return {kd ? at.value(*kd) : plain.kd, ks ? at.value(*ks) : plain.ks,
           opacity_of(at, textures, material)};
 }

@@ -4,44 +4,56 @@
 #include <limits>
 
 #include "rt/math/rounding.h"
+#include "rt/scene/wide_texture.h"
 
 namespace rt {
 namespace {
 
 /// +1 in even cells, -1 in odd ones. Without converting to an integer that may not hold the cell;
 /// exact: halves and floors of doubles are.
-double sign_of_cell(double cell) { return cell == 2.0 * std::floor(0.5 * cell) ? 1.0 : -1.0; }
+template <class Real>
+Real sign_of_cell(const Real& cell) {
+  using std::floor;
+  return select(cell == 2.0 * floor(0.5 * cell), Real(1.0), Real(-1.0));
+}
 
 /// Mean of sign_of_cell(floor(t)) over a width about x. Its integral from an even cell's begin is a
 /// triangle wave between 0 and 1; counted from the cell of the lower end, so that nothing grows
 /// with x.
-double wave(double x, double width) {
-  if (width > std::numeric_limits<double>::max()) {
-    return 0.0;
-  }
-  const double lo = x - 0.5 * width;
-  const double cell = std::floor(lo);
-  const double sign = sign_of_cell(cell);
-  const double begin = lo - cell;    // in [0, 1)
-  const double end = begin + width;  // of the same stretch
-  if (!(end > 1.0)) {
-    return sign;
-  }
-  const double phase = end - 2.0 * std::floor(0.5 * end);  // in [0, 2)
-  const double integral = 1.0 - std::abs(phase - 1.0);
-  return sign * (integral - begin) / width;
+template <class Real>
+Real wave(const Real& x, const Real& width) {
+  using std::abs, std::floor;
+  const Real lo = x - 0.5 * width;
+  const Real cell = floor(lo);
+  const Real sign = sign_of_cell(cell);
+  const Real begin = lo - cell;    // in [0, 1)
+  const Real end = begin + width;  // of the same stretch
+  const Real phase = end - 2.0 * floor(0.5 * end);  // in [0, 2)
+  const Real integral = 1.0 - abs(phase - 1.0);
+  const Real mean = select(end > 1.0, sign * (integral - begin) / width, sign);
+  return select(width > std::numeric_limits<double>::max(), Real(0.0), mean);
+}
+
+// A surface point is good to a few roundings of its coordinates, and the quotient rounds once more;
+// gamma(16) is the bound that shading points give.
+template <class Real, class V>
+Real share_of_even(const V& q, const V& width) {
+  const Real lift = gamma(17) * max_abs(q);
+  return 0.5 + 0.5 * wave<Real>(q.x + lift, width.x) * wave<Real>(q.y + lift, width.y) *
+                   wave<Real>(q.z + lift, width.z);
 }
 
 }  // namespace
 
 Rgb colour(const Checker& checker, const Vec3& p_model, const Vec3& width) {
-  // A surface point is good to a few roundings of its coordinates, and the quotient rounds once
-  // more; gamma(16) is the bound that shading points give.
-  const Vec3 q = p_model / checker.size;
-  const Vec3 lifted = q + gamma(17) * max_abs(q);
-  const Vec3 w = width / checker.size;
-  const double even = 0.5 + 0.5 * wave(lifted.x, w.x) * wave(lifted.y, w.y) * wave(lifted.z, w.z);
+  const double even = share_of_even<double>(p_model / checker.size, width / checker.size);
   return even * checker.even + (1.0 - even) * checker.odd;
+}
+
+Wide3 colour(const Checker& checker, const Wide3& p_model, const Wide3& width) {
+  const Wide even =
+      share_of_even<Wide>(p_model / Wide(checker.size), width / Wide(checker.size));
+  return even * Wide3(checker.even) + (1.0 - even) * Wide3(checker.odd);
 }
 
 }  // namespace rt

@@ -63,7 +63,7 @@ struct LaneTally {
 /// Compares one lane.
 template <class S>
 void compare_lane(const S& shape, const LaneRays& rays, std::size_t i, const WideHit& wide,
-                  const WideSurfacePoint& point, LaneTally& tally) {
+                  const WideSurfacePoint& point, const Wide3& wide_change, LaneTally& tally) {
   const Ray& ray = rays.ray[i];
   ++tally.lanes;
   if (wide.undecided[i]) {
@@ -85,6 +85,9 @@ void compare_lane(const S& shape, const LaneRays& rays, std::size_t i, const Wid
     } else if (!same(point.position.lane(static_cast<int>(i)), p.position) ||
                !same(point.normal.lane(static_cast<int>(i)), p.normal)) {
       tally.complain("another point", ray);
+    } else if (const Vec3 change = normal_change(shape, p, one->feature, ray.origin - p.position);
+               !same(wide_change.lane(static_cast<int>(i)), change)) {
+      tally.complain("another curvature", ray);
     }
   }
 }
@@ -98,9 +101,12 @@ inline void compare(const Shape& any_shape, const LaneRays& rays, LaneTally& tal
           const WideRay ray = rays.wide();
           const WideHit hit = intersect(shape, ray, packed(rays.t_max), packed(rays.error));
           const WideSurfacePoint point = surface_point(shape, ray, hit.t, hit.feature);
+          // Over any step: it is linear.
+          const Wide3 change =
+              normal_change(shape, point, hit.feature, ray.origin - point.position);
           for (std::size_t i = 0; i < lane_count; ++i) {
             if (!only || *only == i) {
-              compare_lane(shape, rays, i, hit, point, tally);
+              compare_lane(shape, rays, i, hit, point, change, tally);
             }
           }
         }

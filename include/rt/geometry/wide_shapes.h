@@ -60,6 +60,20 @@ WideSurfacePoint surface_point(const Cylinder& shape, const WideRay& ray, const 
 WideSurfacePoint surface_point(const Torus& shape, const WideRay& ray, const Wide& t,
                                const Wide& feature);
 
+/// How the normals change over steps along the surface, to first order.
+Wide3 normal_change(const Sphere& shape, const WideSurfacePoint& point, const Wide& feature,
+                    const Wide3& step);
+Wide3 normal_change(const Plane& shape, const WideSurfacePoint& point, const Wide& feature,
+                    const Wide3& step);
+Wide3 normal_change(const Square& shape, const WideSurfacePoint& point, const Wide& feature,
+                    const Wide3& step);
+Wide3 normal_change(const Box& shape, const WideSurfacePoint& point, const Wide& feature,
+                    const Wide3& step);
+Wide3 normal_change(const Cylinder& shape, const WideSurfacePoint& point, const Wide& feature,
+                    const Wide3& step);
+Wide3 normal_change(const Torus& shape, const WideSurfacePoint& point, const Wide& feature,
+                    const Wide3& step);
+
 /// The lanes whose ray may cross what lies in the box, before t_max: no crossing that a shape's
 /// scalar function would report is lost. `position_error`: as above; a ray that stands for one on
 /// the surface may be taken to have gone in, though it passes the box by.
@@ -68,9 +82,11 @@ WideMask may_meet(const Bounds& box, const WideRay& ray, const Wide& t_max,
 
 /// The shapes that have these functions.
 template <class S>
-concept WideShape = requires(const S& shape, const WideRay& ray, const Wide& w) {
+concept WideShape = requires(const S& shape, const WideRay& ray, const WideSurfacePoint& p,
+                             const Wide& w) {
   intersect(shape, ray, w, w);
   surface_point(shape, ray, w, w);
+  normal_change(shape, p, w, p.position);
 };
 
 }  // namespace rt

@@ -4,6 +4,7 @@
 /// rounded once; so a lane's bits depend neither on the number of lanes nor on the others'
 /// contents.
 #include <experimental/simd>
+#include <limits>
 
 #include "rt/math/transform.h"
 #include "rt/math/vec.h"
@@ -33,11 +34,11 @@ inline Wide select(const WideMask& m, const Wide& a, const Wide& b) {
   stdx::where(m, r) = a;
   return r;
 }
-inline double select(bool m, double a, double b) { return m ? a : b; }
 
 inline Wide sqrt(const Wide& a) { return stdx::sqrt(a); }
 inline Wide fma(const Wide& a, const Wide& b, const Wide& c) { return stdx::fma(a, b, c); }
 inline Wide abs(const Wide& a) { return stdx::abs(a); }
+inline Wide floor(const Wide& a) { return stdx::floor(a); }
 inline Wide copysign(const Wide& a, const Wide& b) { return stdx::copysign(a, b); }
 /// As std::max and std::min: the first where the two compare equal or one is NaN.
 inline Wide max(const Wide& a, const Wide& b) { return select(a < b, b, a); }
@@ -116,6 +117,11 @@ inline Wide3 normalize(const Wide3& a) { return a * (1.0 / sqrt(dot(a, a))); }
 inline Wide max_abs(const Wide3& v) { return max(max(abs(v.x), abs(v.y)), abs(v.z)); }
 inline Wide3 select(const WideMask& m, const Wide3& a, const Wide3& b) {
   return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
+}
+/// The lanes where no component is NaN or infinite.
+inline WideMask all_finite(const Wide3& v) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  return abs(v.x) < inf && abs(v.y) < inf && abs(v.z) < inf;
 }
 inline Wide3 fused_at(const Wide3& origin, const Wide3& direction, const Wide& t) {
   return {fma(t, direction.x, origin.x), fma(t, direction.y, origin.y),

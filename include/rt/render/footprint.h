@@ -1,18 +1,16 @@
 #pragma once
-/// How far apart neighbouring samples' rays are, from the camera through mirrors and glass: ray
-/// differentials (Igehy, "Tracing ray differentials", SIGGRAPH 1999). Kept beside the rays, and
-/// only for scenes with textures (RenderPlan::footprints).
+/// How far apart neighbouring samples' rays are, from the camera through mirrors and glass. Kept
+/// beside the rays, and only for scenes with textures (RenderPlan::footprints).
+#include <optional>
 #include <vector>
 
+#include "rt/render/ray_differential.h"
 #include "rt/render/shading.h"
 
 namespace rt {
 
-/// Changes of a ray from one sample to the next across and down the picture.
-struct RayDifferential {
-  Vec3 dp_dx{0.0}, dp_dy{0.0};  ///< of the origin; at a hit, of the point on the surface
-  Vec3 dd_dx{0.0}, dd_dy{0.0};  ///< of the unit direction
-};
+using RayDifferential = RayDifferentialOf<Vec3>;
+using NormalDifferential = NormalDifferentialOf<Vec3>;
 
 /// Distance between neighbouring samples in pixels: 1 / sqrt(n) for n samples a pixel. Adaptive
 /// pixels count as four: what a sample stands for must not depend on what others saw, or their
@@ -21,23 +19,14 @@ struct RayDifferential {
 double sample_spacing(const RenderOptions& options);
 
 /// Of a camera ray, whose direction is as CameraFrame gives it, not normalised.
-RayDifferential camera_differential(const CameraFrame& camera, const RenderOptions& options,
-                                    const Vec3& direction);
+template <class V>
+RayDifferentialOf<V> camera_differential(const CameraFrame& camera, const RenderOptions& options,
+                                         const V& direction) {
+  const double spacing = sample_spacing(options);
+  return {V(0.0), V(0.0), unit_change(direction, V(2.0 * spacing / options.width * camera.right)),
+          unit_change(direction, V(2.0 * spacing / options.height * camera.down))};
+}
 
-/// Carried over a distance t along `direction` (unit) onto the plane through the hit.
-RayDifferential arrived(const RayDifferential& ray, const Vec3& direction, double t,
-                        const Vec3& normal);
-
-/// A unit normal towards the ray, and its changes.
-struct NormalDifferential {
-  Vec3 normal;
-  Vec3 dn_dx{0.0}, dn_dy{0.0};
-};
-RayDifferential reflected(const RayDifferential& at, const Vec3& direction,
-                          const NormalDifferential& n);
-/// eta: index before the surface over the index behind it. Where nothing is transmitted, `at`.
-RayDifferential refracted(const RayDifferential& at, const Vec3& direction,
-                          const NormalDifferential& n, double eta);
 /// Of a direction drawn from a lobe about the perfect one: in any direction at least as wide as the
 /// share of the lobe that one of the samples stands for.
 RayDifferential widened(const RayDifferential& perfect, const Vec3& drawn,
@@ -68,7 +57,8 @@ class FootprintTrail {
   const RenderPlan& plan_;
   double spacing_;
   std::vector<RayDifferential> open_;
-  RayDifferential here_;
+  RayDifferential here_{};
+  std::optional<NormalDifferential> normal_;  ///< there, once a path goes on
 };
 
 }  // namespace rt

@@ -21,6 +21,8 @@ enum class MapKind : std::uint8_t {
 
 // The maps of each kind. Their numbers are those of Placement's full matrices, but for rounding.
 //
+// render_covector(): up to a positive factor, a normal's way to render space, or that of its change.
+// model_normal(): a unit normal of render space in model space.
 // model_offset(): at least what the way to model space adds to a point, in the maximum norm.
 // roundings: the way to model space errs by at most gamma(roundings) of the point's and the offset's
 // size in model space, and so does what the map says of it to the way back.
@@ -34,7 +36,9 @@ struct MovedMap {
   Vec3 render_point(const Vec3& p) const { return p + offset; }
   Vec3 render_vector(const Vec3& v) const { return v; }
   Vec3 model_vector(const Vec3& v) const { return v; }
+  Vec3 render_covector(const Vec3& n) const { return n; }
   Vec3 render_normal(const Vec3& n) const { return n; }
+  Vec3 model_normal(const Vec3& n) const { return n; }
   double model_per_render() const { return 1.0; }
   double render_per_model() const { return 1.0; }
   double model_offset() const { return max_abs(offset); }
@@ -52,7 +56,9 @@ struct ScaledMap {
   Vec3 render_point(const Vec3& p) const { return render_factor * p + offset; }
   Vec3 render_vector(const Vec3& v) const { return render_factor * v; }
   Vec3 model_vector(const Vec3& v) const { return model_factor * v; }
-  Vec3 render_normal(const Vec3& n) const { return scaled_to_unit(n * model_factor); }
+  Vec3 render_covector(const Vec3& n) const { return n * model_factor; }
+  Vec3 render_normal(const Vec3& n) const { return scaled_to_unit(render_covector(n)); }
+  Vec3 model_normal(const Vec3& n) const { return scaled_to_unit(n * render_factor); }
   double model_per_render() const { return std::abs(model_factor); }
   double render_per_model() const { return std::abs(render_factor); }
   double model_offset() const { return model_per_render() * max_abs(offset); }
@@ -73,7 +79,9 @@ struct TurnedMap {
   Ray model_ray(const Ray& r) const { return {model_point(r.origin), model_vector(r.direction)}; }
   Vec3 render_point(const Vec3& p) const { return to_render * p + offset; }
   Vec3 render_vector(const Vec3& v) const { return to_render * v; }
-  Vec3 render_normal(const Vec3& n) const { return scaled_to_unit(to_render * n); }
+  Vec3 render_covector(const Vec3& n) const { return to_render * n; }
+  Vec3 render_normal(const Vec3& n) const { return scaled_to_unit(render_covector(n)); }
+  Vec3 model_normal(const Vec3& n) const { return scaled_to_unit(n * to_render); }
   // Three numbers with a sum of squares s^2 add up to at most 3^(1/2) s; what M lacks of a turn, and
   // rounding, come on top.
   double model_per_render() const { return most_of_row * model_factor; }
@@ -103,7 +111,9 @@ struct LinearMap {
   Vec3 render_point(const Vec3& p) const { return parts.to_render * p + offset; }
   Vec3 render_vector(const Vec3& v) const { return parts.to_render * v; }
   Vec3 model_vector(const Vec3& v) const { return parts.to_model * v; }
-  Vec3 render_normal(const Vec3& n) const { return scaled_to_unit(n * parts.to_model); }
+  Vec3 render_covector(const Vec3& n) const { return n * parts.to_model; }
+  Vec3 render_normal(const Vec3& n) const { return scaled_to_unit(render_covector(n)); }
+  Vec3 model_normal(const Vec3& n) const { return scaled_to_unit(n * parts.to_render); }
   double model_per_render() const { return parts.model_per_render; }
   double render_per_model() const { return parts.render_per_model; }
   double model_offset() const { return max_abs(to_model); }

@@ -16,6 +16,7 @@ ShadingPoint WideShadingPoint::lane(int i) const {
   p.instance = instance[at];
   p.feature = static_cast<std::uint32_t>(feature[at]);
   p.time = 0.0;
+  p.footprint = footprint[at];
   return p;
 }
 

@@ -3,7 +3,7 @@
 #include "rt/math/wide_functions.h"
 #include "rt/render/medium.h"
 #include "rt/render/packet/packet_query.h"
-#include "rt/render/surface_texture.h"
+#include "rt/render/packet/packet_texture.h"
 #include "rt/render/tracer.h"
 
 namespace rt {
@@ -68,11 +68,15 @@ struct PacketTracer::Scatter {
 };
 
 bool PacketTracer::serves(const RenderPlan& plan) {
-  return lanes > 1 && !plan.moves && !plan.absorbs && !plan.footprints;
+  return lanes > 1 && !plan.moves && !plan.absorbs;
 }
 
 PacketTracer::PacketTracer(const RenderPlan& plan)
-    : plan_(plan), negligible_(negligible_branch(plan.options)), shadow_cache_(plan) {}
+    : plan_(plan), negligible_(negligible_branch(plan.options)), shadow_cache_(plan) {
+  if (plan.footprints) {
+    footprints_.emplace(plan);
+  }
+}
 
 Wide3 PacketTracer::radiance(const WideRay& camera, unsigned active, const Wide& y,
                              const WideSampler& sampler, RayCounts& counts,
@@ -83,6 +87,9 @@ Wide3 PacketTracer::radiance(const WideRay& camera, unsigned active, const Wide&
   sampler_ = &sampler;
   counts_ = &counts;
   counts.camera += static_cast<unsigned>(std::popcount(active));
+  if (footprints_) {
+    footprints_->begin(camera.direction);
+  }
   follow({{{camera.origin, camera.direction * (1.0 / length(camera.direction))}, active},
           Wide3(Wide(1.0)),
           {},
@@ -114,6 +121,9 @@ void PacketTracer::shade(const Path& path, const PacketHits& hits, unsigned bits
   const std::uint32_t first = hits.instance[static_cast<std::size_t>(std::countr_zero(bits))];
   Surfaces at{path, shading_points(plan_, path.packet, hits, bits),
               WideLook(plan_, plan_.instances[first])};
+  if (footprints_) {
+    footprints_->arrive(open_.size(), at.direction(), hits.t, at.point);
+  }
   unsigned displaced = 0;
   unsigned mirrors = 0;
   each_instance(hits.instance, bits, [&](std::uint32_t id, unsigned same) {
@@ -123,7 +133,7 @@ void PacketTracer::shade(const Path& path, const PacketHits& hits, unsigned bits
       at.look.take(WideLook(plan_, instance), same);
     }
     if (material.textures) {
-      resolve_textures(at, material, hits, same);
+      resolve_textures(at, hits, id, same);
     }
     if (material.transmissive) {
       displaced |= find_media(at, id, material, same);
@@ -158,17 +168,14 @@ void PacketTracer::shade(const Path& path, const PacketHits& hits, unsigned bits
   });
 }
 
-void PacketTracer::resolve_textures(Surfaces& at, const PlannedMaterial& material,
-                                    const PacketHits& hits, unsigned bits) {
-  each_lane(bits, [&](int i) {
-    ShadingPoint one = at.point.lane(i);
-    const Reflectances r =
-        textured(plan_, at.path.packet.lane(i), hits.lane(i), material, nullptr, one);
-    at.point.set(i, one);
-    at.look.kd.set(i, r.kd);
-    at.look.ks.set(i, r.ks);
-    at.look.opacity[static_cast<std::size_t>(i)] = r.opacity;
-  });
+void PacketTracer::resolve_textures(Surfaces& at, const PacketHits& hits, std::uint32_t id,
+                                    unsigned bits) {
+  const WideReflectances r = textured(plan_, at.path.packet, hits, id, bits,
+                                      footprints_ ? &footprints_->here() : nullptr, at.point);
+  const WideMask mask = mask_of(bits);
+  at.look.kd = select(mask, r.kd, at.look.kd);
+  at.look.ks = select(mask, r.ks, at.look.ks);
+  at.look.opacity = select(mask, r.opacity, at.look.opacity);
 }
 
 /// The indices before and behind the surface of `id`; the lanes where another medium displaces its
@@ -188,7 +195,10 @@ unsigned PacketTracer::find_media(Surfaces& at, std::uint32_t id, const PlannedM
   each_lane(bits, [&](int i) {
     const auto l = static_cast<std::size_t>(i);
     const Media media = media_about(plan_, at.point.lane(i), at.direction().lane(i));
-    displaced |= static_cast<unsigned>(hides(plan_, media, id)) << i;
+    if (hides(plan_, media, id)) {
+      displaced |= 1U << i;
+      return;
+    }
     at.n1[l] = index_of(plan_, media.before);
     at.n2[l] = index_of(plan_, media.behind);
   });
@@ -316,7 +326,7 @@ void PacketTracer::add(const Scatter& at, unsigned bits, const Wide3& direction,
     if (drawn || at.chosen) {
       ++vertex.order;
     }
-    push(at, here & ~faint, direction, throughput, vertex, out);
+    push(at, here & ~faint, direction, throughput, vertex, out, drawn);
     if (plan_.random && (here & faint) != 0) {  // roulette
       unsigned survive = 0;
       each_lane(here & faint, [&](int i) {
@@ -325,18 +335,22 @@ void PacketTracer::add(const Scatter& at, unsigned bits, const Wide3& direction,
         survive |= static_cast<unsigned>(!dies) << i;
       });
       push(at, survive, direction, throughput * (negligible_ / weight),
-           {vertex.order + 1, vertex.copy}, out);
+           {vertex.order + 1, vertex.copy}, out, drawn);
     }
   }
 }
 
 void PacketTracer::push(const Scatter& at, unsigned bits, const Wide3& direction,
-                        const Wide3& throughput, const Vertex& vertex, bool outward) {
+                        const Wide3& throughput, const Vertex& vertex, bool outward, bool drawn) {
   if (bits == 0) {
     return;
   }
   (outward ? counts_->reflection : counts_->refraction) +=
       static_cast<unsigned>(std::popcount(bits));
+  if (footprints_) {
+    footprints_->branch(at.from.point, bits, at.from.direction(), direction, outward,
+                        at.from.n1 / at.from.n2, drawn ? at.lobe : nullptr);
+  }
   open_.push_back({leave(at.from.point, direction, bits), throughput, vertex, at.from.path.depth + 1});
 }
 

@@ -5,22 +5,6 @@
 
 namespace rt {
 
-inline WideRay model_rays(const MovedMap& map, const WideRay& r) {
-  return {r.origin - Wide3(map.offset), r.direction};
-}
-inline WideRay model_rays(const ScaledMap& map, const WideRay& r) {
-  const Wide factor(map.model_factor);
-  return {factor * (r.origin - Wide3(map.offset)), factor * r.direction};
-}
-inline WideRay model_rays(const TurnedMap& map, const WideRay& r) {
-  const Wide factor(map.model_factor * map.model_factor);
-  return {factor * ((r.origin - Wide3(map.offset)) * map.to_render),
-          factor * (r.direction * map.to_render)};
-}
-inline WideRay model_rays(const LinearMap& map, const WideRay& r) {
-  return {map.parts.to_model * r.origin + Wide3(map.to_model), map.parts.to_model * r.direction};
-}
-
 inline Wide3 render_points(const MovedMap& map, const Wide3& p) { return p + Wide3(map.offset); }
 inline Wide3 render_points(const ScaledMap& map, const Wide3& p) {
   return Wide(map.render_factor) * p + Wide3(map.offset);
@@ -32,16 +16,56 @@ inline Wide3 render_points(const LinearMap& map, const Wide3& p) {
   return map.parts.to_render * p + Wide3(map.offset);
 }
 
+inline Wide3 model_vectors(const MovedMap&, const Wide3& v) { return v; }
+inline Wide3 model_vectors(const ScaledMap& map, const Wide3& v) {
+  return Wide(map.model_factor) * v;
+}
+inline Wide3 model_vectors(const TurnedMap& map, const Wide3& v) {
+  return Wide(map.model_factor * map.model_factor) * (v * map.to_render);
+}
+inline Wide3 model_vectors(const LinearMap& map, const Wide3& v) { return map.parts.to_model * v; }
+
+inline Wide3 model_points(const MovedMap& map, const Wide3& p) { return p - Wide3(map.offset); }
+inline Wide3 model_points(const ScaledMap& map, const Wide3& p) {
+  return Wide(map.model_factor) * (p - Wide3(map.offset));
+}
+inline Wide3 model_points(const TurnedMap& map, const Wide3& p) {
+  return model_vectors(map, p - Wide3(map.offset));
+}
+inline Wide3 model_points(const LinearMap& map, const Wide3& p) {
+  return map.parts.to_model * p + Wide3(map.to_model);
+}
+
+template <class Map>
+WideRay model_rays(const Map& map, const WideRay& r) {
+  return {model_points(map, r.origin), model_vectors(map, r.direction)};
+}
+
+inline Wide3 render_covectors(const MovedMap&, const Wide3& n) { return n; }
+inline Wide3 render_covectors(const ScaledMap& map, const Wide3& n) {
+  return n * Wide(map.model_factor);
+}
+inline Wide3 render_covectors(const TurnedMap& map, const Wide3& n) { return map.to_render * n; }
+inline Wide3 render_covectors(const LinearMap& map, const Wide3& n) {
+  return n * map.parts.to_model;
+}
+
 inline Wide3 scaled_to_unit(const Wide3& v) { return normalize(v / max_abs(v)); }
 inline Wide3 render_normals(const MovedMap&, const Wide3& n) { return n; }
-inline Wide3 render_normals(const ScaledMap& map, const Wide3& n) {
-  return scaled_to_unit(n * Wide(map.model_factor));
+template <class Map>
+Wide3 render_normals(const Map& map, const Wide3& n) {
+  return scaled_to_unit(render_covectors(map, n));
 }
-inline Wide3 render_normals(const TurnedMap& map, const Wide3& n) {
-  return scaled_to_unit(map.to_render * n);
+
+inline Wide3 model_normals(const MovedMap&, const Wide3& n) { return n; }
+inline Wide3 model_normals(const ScaledMap& map, const Wide3& n) {
+  return scaled_to_unit(n * Wide(map.render_factor));
 }
-inline Wide3 render_normals(const LinearMap& map, const Wide3& n) {
-  return scaled_to_unit(n * map.parts.to_model);
+inline Wide3 model_normals(const TurnedMap& map, const Wide3& n) {
+  return scaled_to_unit(n * map.to_render);
+}
+inline Wide3 model_normals(const LinearMap& map, const Wide3& n) {
+  return scaled_to_unit(n * map.parts.to_render);
 }
 
 }  // namespace rt

@@ -138,9 +138,7 @@ TEST(PacketSample, OtherScenesGoOneByOne) {
   test::add(absorbs, Sphere{}, {}, green);
   RenderJob moves = test::glass_scene();
   moves.lights[0].travel = {1, 0, 0};
-  RenderJob filters = test::textured_scene();
-  filters.options.texture_filter = true;
-  for (const RenderJob& job : {absorbs, moves, filters}) {
+  for (const RenderJob& job : {absorbs, moves}) {
     const RenderPlan plan = make_plan(job);
     EXPECT_FALSE(PacketTracer::serves(plan));
     expect_equal(plan, wanted(job, false), "one by one");

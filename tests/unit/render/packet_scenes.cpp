@@ -74,7 +74,7 @@ RenderJob gloss_scene() {
 
 RenderJob textured_scene() {
   RenderJob job = room();
-  job.options.texture_filter = false;
+  paint(job, Checker{{0.8, 0.8, 0.7}, {0.2, 0.3, 0.2}, 0.7});
   const auto put = [&](const Shape& shape, const Vec3& at, const Material& m) {
     add(job, shape, Affine::translation(at) * Affine::rotation(1, 25), m);
   };
@@ -92,6 +92,10 @@ RenderJob textured_scene() {
   paint(job, waves, TextureSlot::bump, 0.2);
   put(Cylinder{}, {0.8, 0, 1.8}, matt(Rgb(0.7)));
   paint(job, Checker{Rgb(0.0), {0.9, 0.2, 0.1}, 0.25});  // black in part
+  paint(job, Checker{Rgb(0.4), {0.0, 0.2, 0.1}, 0.1}, TextureSlot::ks);
+  put(Torus{}, {-1, 0.3, 2.4}, frosted(1.2, 0.5, 0.0));
+  paint(job, NoiseTexture{.noise = std::make_shared<const Noise>(3)});
+  paint(job, Checker{Rgb(0.9), Rgb(0.2), 0.2}, TextureSlot::opacity);
   return job;
 }
 
@@ -163,6 +167,20 @@ RenderJob seen_from_afar(RenderJob job) {
   return job;
 }
 
+/// Every instance shows the footprints it is looked at with.
+RenderJob showing_footprints(RenderJob job) {
+  auto set = std::make_shared<TextureSet>();
+  (*set)[TextureSlot::kd] = {std::make_shared<const Texture>(
+                                 ImageTexture{std::make_shared<const FootprintImage>()}),
+                             1.0};
+  for (std::size_t i = 0; i < job.instances.size(); ++i) {
+    Instance shown = job.instances[i];
+    shown.textures = set;
+    job.instances.replace(i, shown);
+  }
+  return job;
+}
+
 RenderJob through_a_lens(RenderJob job) {
   job.camera.aperture = 0.4;
   job.camera.focus = 6.0;
@@ -201,6 +219,12 @@ std::vector<PacketScene> packet_scenes() {
   dull.options.reflection = false;
   dull.options.filter = Filter::tent;
   all.push_back({"without reflection", dull});
+  RenderJob unfiltered = textured_scene();
+  unfiltered.options.texture_filter = false;
+  all.push_back({"unfiltered textures", unfiltered});
+  for (const auto& [name, job] : std::vector(all)) {
+    all.push_back({"footprints of " + name, showing_footprints(job)});
+  }
   return all;
 }
 

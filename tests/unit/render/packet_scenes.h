@@ -17,7 +17,7 @@ struct PacketScene {
 RenderJob glass_scene();
 /// Mirrors that spread, under a spherical and a rectangular light.
 RenderJob gloss_scene();
-/// Pictures, checkers, bumps and normal maps, read at points.
+/// Pictures, checkers, noise, bumps and normal maps.
 RenderJob textured_scene();
 /// Meshes whose shading normals are not the geometric ones: mirror, glass and matt.
 RenderJob mesh_scene();

@@ -1,10 +1,13 @@
 // Filtering of checkers and noise: what is smaller than a sample becomes its mean.
 #include <gtest/gtest.h>
 
+#include <iterator>
 #include <numeric>
+#include <random>
 
 #include "pictures.h"
 #include "probe.h"
+#include "rt/scene/wide_texture.h"
 
 namespace rt {
 namespace {
@@ -71,6 +74,33 @@ TEST(Checker, GivesFiniteMeansOverAnyBox) {
     }
   }
   EXPECT_NEAR(colour(checker, Vec3(0.3), Vec3(1e6)).r, 0.5, 1e-6);
+}
+
+// Bit for bit, on walls and corners of cells, far away, over boxes of any size, and over none.
+TEST(Checker, OfSeveralPointsIsThatOfEach) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const Checker checker{{0.8, 0.1, 0.3}, {0.2, 0.7, 0.1}, 0.3};
+  const double places[] = {0.0,  0.3, -0.3, std::nextafter(0.6, 0.0), 0.4517, -7.93,
+                           1e9,  -3e15, 1e300, inf, NAN};
+  const double widths[] = {0.0, 1e-9, 0.05, 0.3, 0.6, 17.3, 1e12, 1e300, inf, NAN};
+  std::mt19937 random(5);
+  const auto any = [&](const auto& list) { return list[random() % std::size(list)]; };
+  for (int k = 0; k < 2000; ++k) {
+    Wide3 p;
+    Wide3 width;
+    for (int i = 0; i < lanes; ++i) {
+      p.set(i, {any(places), any(places), any(places)});
+      width.set(i, {any(widths), any(widths), any(widths)});
+    }
+    const Wide3 all = colour(checker, p, width);
+    for (int i = 0; i < lanes; ++i) {
+      const Rgb one = colour(checker, p.lane(i), width.lane(i));
+      for (int c = 0; c < 3; ++c) {
+        const double lane = all.lane(i)[c];
+        ASSERT_TRUE(lane == one[c] || (std::isnan(lane) && std::isnan(one[c])));
+      }
+    }
+  }
 }
 
 TEST(Checker, DoesNotSpeckleWhereAFaceLiesOnAWallOfCells) {

@@ -14,6 +14,7 @@ struct WideShadingPoint {
   Wide position_error;
   Ids instance{no_instance};
   Wide feature;
+  Wide footprint{0.0};
 
   ShadingPoint lane(int i) const;
   void set(int i, const ShadingPoint& point);

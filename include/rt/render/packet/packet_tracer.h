@@ -1,16 +1,17 @@
 #pragma once
 /// The recursive shader (tracer.h) for several samples at a time.
+#include <optional>
 #include <vector>
 
 #include "rt/render/accel/candidates.h"
+#include "rt/render/packet/packet_footprint.h"
 #include "rt/render/packet/packet_shading.h"
 
 namespace rt {
 
 /// Follows the paths of as many samples as a register holds doubles. What they meet is lit together,
 /// whatever it is; where they part in glass, the packet divides. Each sample's radiance is that of Tracer, bit for
-/// bit: the same operations in the same order. For scenes where nothing moves, no medium absorbs
-/// and no texture asks for footprints.
+/// bit: the same operations in the same order. For scenes where nothing moves and no medium absorbs.
 class PacketTracer {
  public:
   static bool serves(const RenderPlan& plan);
@@ -34,8 +35,7 @@ class PacketTracer {
 
   void follow(const Path& path);
   void shade(const Path& path, const PacketHits& hits, unsigned bits);
-  void resolve_textures(Surfaces& at, const PlannedMaterial& material, const PacketHits& hits,
-                        unsigned bits);
+  void resolve_textures(Surfaces& at, const PacketHits& hits, std::uint32_t id, unsigned bits);
   unsigned find_media(Surfaces& at, std::uint32_t id, const PlannedMaterial& material,
                       unsigned bits);
   Wide3 surface(const Surfaces& at, unsigned bits);
@@ -46,12 +46,13 @@ class PacketTracer {
   void add(const Scatter& at, unsigned bits, const Wide3& direction, const Wide3& throughput,
            bool drawn);
   void push(const Scatter& at, unsigned bits, const Wide3& direction, const Wide3& throughput,
-            const Vertex& vertex, bool outward);
+            const Vertex& vertex, bool outward, bool drawn);
 
   const RenderPlan& plan_;
   double negligible_;
   ShadowCache shadow_cache_;
   std::vector<Path> open_;
+  std::optional<PacketFootprints> footprints_;  ///< beside open_, where textures want them
 
   // Of the samples being taken.
   Wide3 sum_;
