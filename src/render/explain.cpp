@@ -15,7 +15,8 @@ namespace rt {
 namespace {
 
 /// Rows and columns of the rays that the cost is estimated from.
-constexpr int probes = 24;
+constexpr int probes = 12;                    ///< across the picture, and down
+constexpr std::uint32_t samples_of_probe = 8;  ///< neighbours go together
 
 std::string counted(std::size_t n, const std::string& what) {
   const char* plural = what.ends_with('x') || what.ends_with("sh") ? "es" : "s";
@@ -117,14 +118,13 @@ std::string chosen(const RenderPlan& plan, const Counts& c) {
                             " with a hierarchy each, shared by all instances");
   }
   part.line("samples",
-            PacketTracer::serves(plan)
-                ? fmt::format("{} at a time, as the processor's registers hold numbers", lanes)
-                : "one at a time: something moves, absorbs, or is textured with a filter");
+            fmt::format("{} at a time, as the processor's registers hold numbers{}", lanes,
+                        c.moving > 0 ? "; what moves meets their rays one by one" : ""));
   if ((plan.list || plan.tree) && !plan.moving_camera && plan.camera.lens_radius == 0.0) {
     part.line("sight",
               "camera rays only try what a block of 8 x 8 pixels can show, where that is little");
   }
-  const bool cells = plan.list || (plan.tree && (c.extended > 0 || !PacketTracer::serves(plan)));
+  const bool cells = plan.list || (plan.tree && c.extended > 0);
   if (cells && !plan.lights.empty()) {
     part.line("shadows", "what may shadow a cell of some 16 pixels is remembered for each light");
   }
@@ -196,13 +196,18 @@ std::string left_out(const RenderPlan& plan, const Counts& c) {
 
 void probe(PixelSampler& sampler, RenderStatistics& statistics) {
   const RenderOptions& o = sampler.plan().options;
+  std::vector<PixelSample> wanted;
   for (int j = 0; j < probes; ++j) {
     for (int i = 0; i < probes; ++i) {
       const int x = (2 * i + 1) * o.width / (2 * probes);
       const int y = (2 * j + 1) * o.height / (2 * probes);
-      sampler.take(x, y, Sampler(o.seed, x, y, 0), statistics);
+      for (std::uint32_t index = 0; index < samples_of_probe; ++index) {
+        wanted.push_back({x, y, index});
+      }
     }
   }
+  std::vector<std::optional<Rgb>> values(wanted.size());
+  sampler.take_all(wanted, values, statistics);
 }
 
 /// Rays a sample and seconds a sample, from samples spread over the picture. A first round fills
@@ -233,7 +238,7 @@ std::string cost(const RenderPlan& plan, int threads) {
   std::string text = fmt::format(
       "To expect: {:.1f} rays and {} microseconds a sample, measured on {} of them; {}{} s "
       "on {}",
-      rays, rough(1e6 * seconds), probes * probes, fixed > 0 ? "about " : "at least ",
+      rays, rough(1e6 * seconds), probes * probes * static_cast<int>(samples_of_probe), fixed > 0 ? "about " : "at least ",
       rough(picture), counted(static_cast<std::size_t>(threads), "thread"));
   if (fixed == 0) {
     text += ", more where edges, blur and soft light need more samples";

@@ -8,6 +8,7 @@
 #include "rt/render/packet/packet_sample.h"
 
 namespace rt {
+namespace {
 
 TraceRay lens_ray(const CameraFrame& camera, double px, double py, const Sampler& sample) {
   const Vec3 direction = camera.direction(px, py);
@@ -18,8 +19,6 @@ TraceRay lens_ray(const CameraFrame& camera, double px, double py, const Sampler
   const Vec3 origin = lens.x * glm::normalize(camera.right) + lens.y * glm::normalize(camera.down);
   return {origin, direction - origin / camera.focus};
 }
-
-namespace {
 
 /// The ray of a scene where something moves: at a time of its own.
 TraceRay moving_ray(const RenderPlan& plan, double px, double py, const Sampler& sample) {
@@ -40,11 +39,12 @@ TraceRay moving_ray(const RenderPlan& plan, double px, double py, const Sampler&
 
 }  // namespace
 
-PixelSampler::PixelSampler(const RenderPlan& plan) : tracer_(plan), sight_(plan) {
-  if (PacketTracer::serves(plan)) {
-    packets_ = std::make_unique<PacketSampler>(plan);
-  }
+TraceRay camera_ray(const RenderPlan& plan, double px, double py, const Sampler& sample) {
+  return plan.moves ? moving_ray(plan, px, py, sample) : lens_ray(plan.camera, px, py, sample);
 }
+
+PixelSampler::PixelSampler(const RenderPlan& plan)
+    : tracer_(plan), sight_(plan), packets_(std::make_unique<PacketSampler>(plan)) {}
 
 PixelSampler::~PixelSampler() = default;
 PixelSampler::PixelSampler(PixelSampler&&) noexcept = default;
@@ -55,9 +55,7 @@ std::optional<Rgb> PixelSampler::take_at(int x, int y, const Vec2& offset, const
   const double px = (x + offset.x) / plan.options.width;
   const double py = (y + offset.y) / plan.options.height;
   // Filters reach beyond the picture's edge; the background's gradient does not.
-  const TraceRay ray =
-      plan.moves ? moving_ray(plan, px, py, sample) : lens_ray(plan.camera, px, py, sample);
-  const Rgb value = tracer_.radiance(ray, std::clamp(py, 0.0, 1.0), sample, statistics.rays,
+  const Rgb value = tracer_.radiance(camera_ray(plan, px, py, sample), std::clamp(py, 0.0, 1.0), sample, statistics.rays,
                                      sight_.through(x + offset.x, y + offset.y));
   ++statistics.samples;
   if (!all_finite(value)) {
@@ -76,20 +74,7 @@ std::optional<Rgb> PixelSampler::take(int x, int y, const Sampler& sample,
 void PixelSampler::take_all(std::span<const PixelSample> wanted,
                             std::span<std::optional<Rgb>> values, RenderStatistics& statistics,
                             std::span<std::uint8_t> quadrants) {
-  if (packets_) {
-    packets_->take(wanted, values, statistics, quadrants, sight_);
-    return;
-  }
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    const PixelSample& s = wanted[i];
-    const Sampler sampler(tracer_.plan().options.seed, s.x, s.y, s.index);
-    values[i] = s.at_centre ? take_at(s.x, s.y, Vec2(0.5), sampler, statistics)
-                            : take(s.x, s.y, sampler, statistics);
-    if (!quadrants.empty()) {
-      const Vec2 u = sampler.pixel();
-      quadrants[i] = static_cast<std::uint8_t>((u.x >= 0.5 ? 1 : 0) + (u.y >= 0.5 ? 2 : 0));
-    }
-  }
+  packets_->take(wanted, values, statistics, quadrants, sight_);
 }
 
 }  // namespace rt

@@ -27,6 +27,9 @@ RayDifferentialOf<V> camera_differential(const CameraFrame& camera, const Render
           unit_change(direction, V(2.0 * spacing / options.height * camera.down))};
 }
 
+/// Of a camera ray, not normalised, where the camera may move.
+RayDifferential camera_differential(const RenderPlan& plan, const TraceRay& ray);
+
 /// Of a direction drawn from a lobe about the perfect one: in any direction at least as wide as the
 /// share of the lobe that one of the samples stands for.
 RayDifferential widened(const RayDifferential& perfect, const Vec3& drawn,

@@ -19,9 +19,10 @@ struct PixelSample {
   bool at_centre = false;  ///< of the pixel; otherwise where the filter says
 };
 
-/// The ray through picture coordinates in [0,1]^2. With a lens it starts anywhere on it and meets
-/// the others of that place in the plane in focus. Not normalised.
-TraceRay lens_ray(const CameraFrame& camera, double px, double py, const Sampler& sample);
+/// The ray through picture coordinates in [0,1]^2, not normalised. With a lens it starts anywhere on
+/// it and meets the others of that place in the plane in focus; where something moves, it has a time
+/// of its own.
+TraceRay camera_ray(const RenderPlan& plan, double px, double py, const Sampler& sample);
 
 /// Takes samples. One a thread.
 class PixelSampler {
@@ -40,7 +41,7 @@ class PixelSampler {
   std::optional<Rgb> take_at(int x, int y, const Vec2& offset, const Sampler& sample,
                              RenderStatistics& statistics);
 
-  /// Those samples, as take() would; several at a time where the scene allows. Neighbours should be
+  /// Those samples, as take() would, but several at a time. Neighbours should be
   /// next to each other. If asked, says in which quadrant of its pixel each lies that is not at its
   /// centre: bit 0 is set on the right, bit 1 at the bottom.
   void take_all(std::span<const PixelSample> wanted, std::span<std::optional<Rgb>> values,
@@ -49,7 +50,7 @@ class PixelSampler {
  private:
   Tracer tracer_;
   SightCache sight_;
-  std::unique_ptr<PacketSampler> packets_;  ///< where they serve
+  std::unique_ptr<PacketSampler> packets_;
 };
 
 }  // namespace rt

@@ -5,37 +5,47 @@
 namespace rt {
 namespace {
 
-/// The lanes of `bits`, all on instance `id`; the others hold nothing.
-WideNormalDifferential change_on(const RenderPlan& plan, std::uint32_t id,
-                                 const WideShadingPoint& point, unsigned bits,
+void set_lane(WideRayDifferential& all, int i, const RayDifferential& one) {
+  all.dp_dx.set(i, one.dp_dx);
+  all.dp_dy.set(i, one.dp_dy);
+  all.dd_dx.set(i, one.dd_dx);
+  all.dd_dy.set(i, one.dd_dy);
+}
+
+template <class S, class Map>
+WideNormalDifferential change_on(const S& shape, const Map& map, const WideShadingPoint& point,
                                  const WideRayDifferential& at) {
+  const Wide sign = select(mask_of(point.from_outside), Wide(1.0), Wide(-1.0));
+  const WideSurfacePoint p{model_points(map, point.position),
+                           model_normals(map, sign * point.normal)};
+  const Wide3 from = render_covectors(map, model_normals(map, sign * point.shading_normal));
+  const auto change = [&](const Wide3& step) {
+    const Wide3 in_model = normal_change(shape, p, point.feature, model_vectors(map, step));
+    return unit_change(from, sign * render_covectors(map, in_model));
+  };
+  return {point.shading_normal, change(at.dp_dx), change(at.dp_dy)};
+}
+
+/// The lanes of `bits`, all on instance `id`; the others hold anything.
+WideNormalDifferential normal_differential(const RenderPlan& plan, std::uint32_t id,
+                                           const WideShadingPoint& point, unsigned bits,
+                                           const WideRayDifferential& at) {
   const PlannedInstance& instance = plan.instances[id];
-  WideNormalDifferential out;
-  plan.visit(instance, [&](const auto& shape) {
+  return plan.visit(instance, [&](const auto& shape) -> WideNormalDifferential {
     if constexpr (WideShape<std::decay_t<decltype(shape)>>) {
-      plan.map(instance, 0.0, [&](const auto& map) {
-        const Wide sign = select(mask_of(point.from_outside), Wide(1.0), Wide(-1.0));
-        const WideSurfacePoint p{model_points(map, point.position),
-                                 model_normals(map, sign * point.normal)};
-        const Wide3 from =
-            render_covectors(map, model_normals(map, sign * point.shading_normal));
-        const auto change = [&](const Wide3& step) {
-          const Wide3 in_model = normal_change(shape, p, point.feature, model_vectors(map, step));
-          return unit_change(from, sign * render_covectors(map, in_model));
-        };
-        out.dn_dx = change(at.dp_dx);
-        out.dn_dy = change(at.dp_dy);
-      });
-    } else {
-      each_lane(bits, [&](int i) {
-        const NormalDifferential one = normal_differential(
-            plan, point.lane(i), {at.dp_dx.lane(i), at.dp_dy.lane(i), Vec3(0.0), Vec3(0.0)});
-        out.dn_dx.set(i, one.dn_dx);
-        out.dn_dy.set(i, one.dn_dy);
-      });
+      if (!instance.moves()) {
+        return plan.map(instance, 0.0,
+                        [&](const auto& map) { return change_on(shape, map, point, at); });
+      }
     }
+    WideNormalDifferential out{point.shading_normal, Wide3(Wide(0.0)), Wide3(Wide(0.0))};
+    each_lane(bits, [&](int i) {
+      const NormalDifferential one = normal_differential(plan, point.lane(i), lane_of(at, i));
+      out.dn_dx.set(i, one.dn_dx);
+      out.dn_dy.set(i, one.dn_dy);
+    });
+    return out;
   });
-  return out;
 }
 
 }  // namespace
@@ -43,9 +53,15 @@ WideNormalDifferential change_on(const RenderPlan& plan, std::uint32_t id,
 PacketFootprints::PacketFootprints(const RenderPlan& plan)
     : plan_(plan), spacing_(sample_spacing(plan.options)) {}
 
-void PacketFootprints::begin(const Wide3& direction) {
+void PacketFootprints::begin(const Packet& camera_rays) {
   open_.clear();
-  open_.push_back(camera_differential(plan_.camera, plan_.options, direction));
+  open_.push_back(
+      camera_differential(plan_.camera, plan_.options, camera_rays.ray.direction));
+  if (plan_.moving_camera) {
+    each_lane(camera_rays.active, [&](int i) {
+      set_lane(open_.back(), i, camera_differential(plan_, camera_rays.lane(i)));
+    });
+  }
 }
 
 void PacketFootprints::arrive(std::size_t open, const Wide3& direction, const Wide& t,
@@ -61,7 +77,7 @@ void PacketFootprints::branch(const WideShadingPoint& point, unsigned bits, cons
                               const Wide3& direction, bool reflect, const Wide& eta,
                               const PowerCosineLobe* lobe) {
   each_instance(point.instance, bits & ~known_, [&](std::uint32_t id, unsigned same) {
-    const WideNormalDifferential n = change_on(plan_, id, point, same, here_);
+    const WideNormalDifferential n = normal_differential(plan_, id, point, same, here_);
     normal_.dn_dx = select(mask_of(same), n.dn_dx, normal_.dn_dx);
     normal_.dn_dy = select(mask_of(same), n.dn_dy, normal_.dn_dy);
   });
@@ -74,9 +90,7 @@ void PacketFootprints::branch(const WideShadingPoint& point, unsigned bits, cons
   }
   WideRayDifferential& next = open_.back();
   each_lane(bits, [&](int i) {
-    const RayDifferential one = widened(lane_of(next, i), direction.lane(i), *lobe, spacing_);
-    next.dd_dx.set(i, one.dd_dx);
-    next.dd_dy.set(i, one.dd_dy);
+    set_lane(next, i, widened(lane_of(next, i), direction.lane(i), *lobe, spacing_));
   });
 }
 

@@ -24,9 +24,15 @@ Wide falloff(const Light& light, const Wide& distance) {
   return 1.0 / (f.c0 + distance * (f.c1 + distance * f.c2));
 }
 
+/// As for one point.
+Wide3 relative_to(const Light& light, const WideShadingPoint& point) {
+  return point.time == nullptr ? point.position
+                               : point.position - *point.time * Wide3(light.travel);
+}
+
 WideLightSample sample_light(const Light& light, const WideShadingPoint& point) {
   WideLightSample out;
-  const Wide3 to_light = Wide3(light.position) - point.position;
+  const Wide3 to_light = Wide3(light.position) - relative_to(light, point);
   out.distance = length(to_light);
   out.direction = to_light * (1.0 / out.distance);
   return out;
@@ -151,7 +157,7 @@ Wide3 one_by_one(const RenderPlan& plan, std::size_t index, const WidePhong& pho
                  const WideSampler& sampler, const Vertex& vertex, const Wide& negligible,
                  ShadowCache& cache, RayCounts& counts) {
   Wide3 sum{Wide(0.0)};
-  const WideSeenLight seen(point.position, plan.lights[index]);
+  const WideSeenLight seen(relative_to(plan.lights[index], point), plan.lights[index]);
   each_lane(bits, [&](int i) {
     const auto at = static_cast<std::size_t>(i);
     const Phong one{phong.kd.lane(i), phong.ks.lane(i), phong.shininess[at],
@@ -188,7 +194,7 @@ Wide3 direct_light(const RenderPlan& plan, std::size_t index, const WidePhong& p
         s.distance - (point.position_error + gamma(4) * Wide(max_abs(light.position)));
     counts.shadow += static_cast<unsigned>(std::popcount(matters));
     seen = seeing(plan, index, point, matters, cells, s.direction, reach, cache, dimming);
-    dimming &= seen;
+    dimming = plan.absorbs ? seen : dimming & seen;
     if (plan.dims && dimming != 0) {
       each_lane(dimming, [&](int i) {
         const auto at = static_cast<std::size_t>(i);

@@ -65,14 +65,21 @@ WideHit meet_again(const RenderPlan& plan, const PlannedInstance& instance, cons
   return {WideMask(false), mask_of(~gone & all_lanes), Wide(0.0), Wide(0.0)};
 }
 
+/// The crossings of an instance that is elsewhere for every lane. `again`: as above.
+WideHit meet_moving(const PlannedInstance& instance, const Packet& packet, unsigned again) {
+  const unsigned gone = instance.convex ? again & packet.outward : 0;
+  return {WideMask(false), mask_of(~gone & all_lanes), Wide(0.0), Wide(0.0)};
+}
+
 /// The crossings of those lanes of the packet that are in `bits`; none is left undecided.
 WideHit crossings(const RenderPlan& plan, std::uint32_t id, const Packet& packet, unsigned bits,
                   const Wide& t_max) {
   const PlannedInstance& instance = plan.instances[id];
   const unsigned again = packet.from_surface ? lanes_where(packet.instance, id) & bits : 0;
-  WideHit found = again == bits ? meet_again(plan, instance, packet, t_max)
-                                : meet(plan, instance, packet, t_max);
-  if (again != 0 && again != bits) {
+  WideHit found = instance.moves() ? meet_moving(instance, packet, again)
+                  : again == bits  ? meet_again(plan, instance, packet, t_max)
+                                   : meet(plan, instance, packet, t_max);
+  if (again != 0 && again != bits && !instance.moves()) {
     const WideMask left = mask_of(again);
     const WideHit next = meet_again(plan, instance, packet, t_max);
     found.hit = (found.hit && !left) || (next.hit && left);

@@ -66,7 +66,8 @@ void PacketSampler::take_packet(std::span<const PixelSample> wanted,
   const auto count = static_cast<unsigned>(wanted.size());
   const bool lens = plan.camera.lens_radius > 0.0;
   const bool centres = wanted[0].at_centre;
-  const bool draws = plan.random || lens || !centres;
+  const bool own_rays = lens || plan.moves;
+  const bool draws = plan.random || own_rays || !centres;
   const auto lane_of = [&](auto i) -> const PixelSample& {
     return wanted[std::min<std::size_t>(i, count - 1)];
   };
@@ -95,16 +96,21 @@ void PacketSampler::take_packet(std::span<const PixelSample> wanted,
   const Wide px = place.x / plan.options.width;
   const Wide py = place.y / plan.options.height;
   const unsigned active = (1U << count) - 1U;
-  WideRay camera{Wide3(Wide(0.0)), direction(plan.camera, px, py)};
-  for (int i = 0; i < lanes && lens; ++i) {
+  Packet camera{{Wide3(Wide(0.0)), direction(plan.camera, px, py)}, active};
+  Wide times(0.0);
+  for (int i = 0; i < lanes && own_rays; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    const TraceRay ray = lens_ray(plan.camera, px[at], py[at], sampler.lane(i));
-    camera.origin.set(i, ray.origin);
-    camera.direction.set(i, ray.direction);
+    const TraceRay ray = camera_ray(plan, px[at], py[at], sampler.lane(i));
+    camera.ray.origin.set(i, ray.origin);
+    camera.ray.direction.set(i, ray.direction);
+    times[at] = ray.time;
+  }
+  if (plan.moves) {
+    camera.time = &times;
   }
   const Wide y = min(max(py, Wide(0.0)), Wide(1.0));
   const Wide3 sum =
-      tracer_.radiance(camera, active, y, sampler, statistics.rays, sight_of(sight, place, count));
+      tracer_.radiance(camera, y, sampler, statistics.rays, sight_of(sight, place, count));
   statistics.samples += count;
   for (unsigned i = 0; i < count; ++i) {
     values[i] = sum.lane(static_cast<int>(i));

@@ -15,7 +15,7 @@ ShadingPoint WideShadingPoint::lane(int i) const {
   p.position_error = position_error[at];
   p.instance = instance[at];
   p.feature = static_cast<std::uint32_t>(feature[at]);
-  p.time = 0.0;
+  p.time = time != nullptr ? (*time)[at] : 0.0;
   p.footprint = footprint[at];
   return p;
 }
@@ -56,15 +56,16 @@ WideShadingPoint points_of_one(const RenderPlan& plan, const Packet& packet,
   const PlannedInstance& instance = plan.instances[id];
   return plan.visit(instance, [&](const auto& shape) {
     if constexpr (WideShape<std::decay_t<decltype(shape)>>) {
-      return plan.map(instance, 0.0,
-                      [&](const auto& map) { return point_on(shape, map, packet, hits); });
-    } else {
-      WideShadingPoint one_by_one{};
-      each_lane(bits, [&](int i) {
-        one_by_one.set(i, shading_point(plan, packet.lane(i), hits.lane(i)));
-      });
-      return one_by_one;
+      if (!instance.moves()) {
+        return plan.map(instance, 0.0,
+                        [&](const auto& map) { return point_on(shape, map, packet, hits); });
+      }
     }
+    WideShadingPoint one_by_one{};
+    each_lane(bits, [&](int i) {
+      one_by_one.set(i, shading_point(plan, packet.lane(i), hits.lane(i)));
+    });
+    return one_by_one;
   });
 }
 
@@ -90,6 +91,7 @@ WideShadingPoint shading_points(const RenderPlan& plan, const Packet& packet,
   });
   points.instance = hits.instance;
   points.feature = hits.feature;
+  points.time = packet.time;
   return points;
 }
 
@@ -101,7 +103,8 @@ Packet leave(const WideShadingPoint& from, const Wide3& direction, unsigned bits
           true,
           from.instance,
           from.feature,
-          ~(to_seen_side ^ from.from_outside) & all_lanes};
+          ~(to_seen_side ^ from.from_outside) & all_lanes,
+          from.time};
 }
 
 }  // namespace rt

@@ -69,7 +69,7 @@ WideReflectances textured(const RenderPlan& plan, const Packet& packet, const Pa
   const PlannedMaterial& material = plan.material_of(instance);
   return plan.visit(instance, [&](const auto& shape) -> WideReflectances {
     if constexpr (WideShape<std::decay_t<decltype(shape)>>) {
-      if (only_checkers(*material.textures)) {
+      if (!instance.moves() && only_checkers(*material.textures)) {
         return plan.map(instance, 0.0, [&](const auto& map) {
           return checkered(shape, map, packet, hits, *material.textures, plan.plain(instance),
                            here);

@@ -53,7 +53,8 @@ struct PacketTracer::Surfaces {
   const Path& path;
   WideShadingPoint point;
   WideLook look;
-  Wide n1{1.0}, n2{1.0};  ///< indices before and behind what is transmissive
+  Wide n1{1.0}, n2{1.0};      ///< indices before and behind what is transmissive
+  Ids before{no_instance};  ///< the medium there, and where any absorbs that before all others
 
   const Wide3& direction() const { return path.packet.ray.direction; }
 };
@@ -67,10 +68,6 @@ struct PacketTracer::Scatter {
   bool chosen = false;
 };
 
-bool PacketTracer::serves(const RenderPlan& plan) {
-  return lanes > 1 && !plan.moves && !plan.absorbs;
-}
-
 PacketTracer::PacketTracer(const RenderPlan& plan)
     : plan_(plan), negligible_(negligible_branch(plan.options)), shadow_cache_(plan) {
   if (plan.footprints) {
@@ -78,31 +75,29 @@ PacketTracer::PacketTracer(const RenderPlan& plan)
   }
 }
 
-Wide3 PacketTracer::radiance(const WideRay& camera, unsigned active, const Wide& y,
-                             const WideSampler& sampler, RayCounts& counts,
-                             const Candidates& sight) {
+Wide3 PacketTracer::radiance(const Packet& camera, const Wide& y, const WideSampler& sampler,
+                             RayCounts& counts, const Candidates& sight) {
   sum_ = Wide3(Wide(0.0));
   y_ = y;
   sight_ = sight;
   sampler_ = &sampler;
   counts_ = &counts;
-  counts.camera += static_cast<unsigned>(std::popcount(active));
+  counts.camera += static_cast<unsigned>(std::popcount(camera.active));
   if (footprints_) {
-    footprints_->begin(camera.direction);
+    footprints_->begin(camera);
   }
-  follow({{{camera.origin, camera.direction * (1.0 / length(camera.direction))}, active},
-          Wide3(Wide(1.0)),
-          {},
-          0});
+  Path first{camera, Wide3(Wide(1.0)), {}, 0};
+  first.packet.ray.direction = camera.ray.direction * (1.0 / length(camera.ray.direction));
+  follow(first);
   while (!open_.empty()) {
-    const Path path = open_.back();
+    Path path = open_.back();
     open_.pop_back();
     follow(path);
   }
   return sum_;
 }
 
-void PacketTracer::follow(const Path& path) {
+void PacketTracer::follow(Path& path) {
   const PacketHits hits = path.depth == 0 && sight_.known
                               ? closest_hits_among(plan_, sight_.instances, path.packet)
                               : closest_hits(plan_, path.packet);
@@ -111,13 +106,23 @@ void PacketTracer::follow(const Path& path) {
     shade(path, hits, path.packet.active & ~missed);
   }
   if (missed != 0) {
-    const Background& b = plan_.options.background;
-    const Wide3 sky = Wide3(b.top) * (1.0 - y_) + Wide3(b.bottom) * y_;
-    sum_ = select(mask_of(missed), sum_ + path.throughput * sky, sum_);
+    miss(path, missed);
   }
 }
 
-void PacketTracer::shade(const Path& path, const PacketHits& hits, unsigned bits) {
+void PacketTracer::miss(Path& path, unsigned bits) {
+  if (plan_.absorbs) {
+    each_lane(bits, [&](int i) {
+      path.throughput.set(i, path.throughput.lane(i) *
+                                 transmittance_beyond(plan_, path.packet.lane(i)));
+    });
+  }
+  const Background& b = plan_.options.background;
+  const Wide3 sky = Wide3(b.top) * (1.0 - y_) + Wide3(b.bottom) * y_;
+  sum_ = select(mask_of(bits), sum_ + path.throughput * sky, sum_);
+}
+
+void PacketTracer::shade(Path& path, const PacketHits& hits, unsigned bits) {
   const std::uint32_t first = hits.instance[static_cast<std::size_t>(std::countr_zero(bits))];
   Surfaces at{path, shading_points(plan_, path.packet, hits, bits),
               WideLook(plan_, plan_.instances[first])};
@@ -137,10 +142,16 @@ void PacketTracer::shade(const Path& path, const PacketHits& hits, unsigned bits
     }
     if (material.transmissive) {
       displaced |= find_media(at, id, material, same);
-    } else if (!material.lobe) {
-      mirrors |= same;
+    } else {
+      mirrors |= material.lobe ? 0 : same;
+      if (plan_.absorbs && !plan_.media_about(id).empty()) {
+        find_medium(at, same);
+      }
     }
   });
+  if (plan_.absorbs) {
+    absorb(path, at, hits.t, bits);
+  }
   const bool deepest = path.depth >= plan_.options.max_depth;
   if (displaced != 0 && !deepest) {
     const Scatter through{at, nullptr, displaced};
@@ -189,20 +200,34 @@ unsigned PacketTracer::find_media(Surfaces& at, std::uint32_t id, const PlannedM
     const WideMask from_outside = mask_of(at.point.from_outside);
     at.n1 = select(here, select(from_outside, Wide(1.0), Wide(material.ior)), at.n1);
     at.n2 = select(here, select(from_outside, Wide(material.ior), Wide(1.0)), at.n2);
+    each_lane(bits & ~at.point.from_outside,
+              [&](int i) { at.before[static_cast<std::size_t>(i)] = id; });
     return 0;
   }
   unsigned displaced = 0;
   each_lane(bits, [&](int i) {
     const auto l = static_cast<std::size_t>(i);
     const Media media = media_about(plan_, at.point.lane(i), at.direction().lane(i));
-    if (hides(plan_, media, id)) {
-      displaced |= 1U << i;
-      return;
-    }
+    displaced |= static_cast<unsigned>(hides(plan_, media, id)) << i;
+    at.before[l] = media.before;
     at.n1[l] = index_of(plan_, media.before);
     at.n2[l] = index_of(plan_, media.behind);
   });
   return displaced;
+}
+
+void PacketTracer::find_medium(Surfaces& at, unsigned bits) {
+  each_lane(bits, [&](int i) {
+    at.before[static_cast<std::size_t>(i)] =
+        medium_ahead(plan_, at.point.lane(i), -at.direction().lane(i));
+  });
+}
+
+void PacketTracer::absorb(Path& path, const Surfaces& at, const Wide& t, unsigned bits) {
+  each_lane(bits & ~lanes_where(at.before, no_instance), [&](int i) {
+    const auto l = static_cast<std::size_t>(i);
+    path.throughput.set(i, path.throughput.lane(i) * transmittance(plan_, at.before[l], t[l]));
+  });
 }
 
 Wide3 PacketTracer::surface(const Surfaces& at, unsigned bits) {

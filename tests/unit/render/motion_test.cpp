@@ -9,29 +9,15 @@
 namespace rt {
 namespace {
 
-std::shared_ptr<const Motion> moving(const Pose& to) {
-  auto motion = std::make_shared<Motion>();
-  motion->keys = {{0.0, Pose{}}, {1.0, to}};
-  return motion;
-}
+using test::add_moving;
+using test::give_path;
+using test::moving;
 
 Material shining() {
   Material m;
   m.kd = Rgb(0.0);
   m.emission = Rgb(1.0);
   return m;
-}
-
-void give_last(RenderJob& job, std::shared_ptr<const MotionPath> path) {
-  Instance last = job.instances.back();
-  last.motion = std::move(path);
-  job.instances.replace(job.instances.size() - 1, last);
-}
-
-void add_moving(RenderJob& job, const Shape& shape, const Affine& placed, const Material& material,
-                std::shared_ptr<const Motion> motion) {
-  test::add(job, shape, placed, material);
-  give_last(job, extended(nullptr, {placed, std::move(motion)}));
 }
 
 /// A camera that sees the square from -0.5 to 0.5 of the plane z = 0, nearly in parallel.
@@ -100,7 +86,7 @@ RenderJob all_moving() {
   inner.translate = {0, 0.5, 0};
   const Material m = test::matt({0.8, 0.3, 0.2});
   add_moving(job, Box{}, Affine::translation({-1, 0, 2.5}), m, moving(outer));
-  give_last(job,
+  give_path(job,
             extended(job.instances.back().motion, {Affine::scaling(Vec3(0.5)), moving(inner)}));
   job.lights[0].travel = {-3, 1, 0};
   auto to = std::make_shared<Camera>(job.camera);

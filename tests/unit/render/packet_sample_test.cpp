@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "packet_scenes.h"
-#include "rt/render/packet/packet_tracer.h"
 #include "rt/render/sample.h"
 
 namespace rt {
@@ -81,7 +80,6 @@ TEST_P(PacketSamples, AreThoseTakenOneByOne) {
     RenderJob job = GetParam().job;
     job.options.accel = accel;
     const RenderPlan plan = make_plan(job);
-    ASSERT_TRUE(PacketTracer::serves(plan));
     for (const bool centres : {false, true}) {
       expect_equal(
           plan, wanted(job, centres),
@@ -128,20 +126,6 @@ TEST(PacketSample, WhatIsNotFiniteStaysInItsSample) {
     for (const RenderJob& one : {job, light, dark}) {
       expect_equal(make_plan(one), wanted(one, false), "bad");
     }
-  }
-}
-
-TEST(PacketSample, OtherScenesGoOneByOne) {
-  RenderJob absorbs = test::glass_scene();
-  Material green = test::glass(1.5);
-  green.absorption = {0.5, 0.1, 0.5};
-  test::add(absorbs, Sphere{}, {}, green);
-  RenderJob moves = test::glass_scene();
-  moves.lights[0].travel = {1, 0, 0};
-  for (const RenderJob& job : {absorbs, moves}) {
-    const RenderPlan plan = make_plan(job);
-    EXPECT_FALSE(PacketTracer::serves(plan));
-    expect_equal(plan, wanted(job, false), "one by one");
   }
 }
 

@@ -112,6 +112,57 @@ RenderJob mesh_scene() {
   return job;
 }
 
+RenderJob absorbing_scene() {
+  const auto coloured = [](double ior, const Rgb& absorption) {
+    Material m = glass(ior);
+    m.absorption = absorption;
+    return m;
+  };
+  RenderJob job = room();
+  add(job, Plane{}, Affine::translation({0, 0.3, 0}), coloured(1.33, {0.4, 0.1, 0.05}));
+  add(job, Sphere{}, Affine::translation({-2, 1, 0}), coloured(1.5, {0.1, 0.8, 0.8}));
+  add(job, Sphere{}, Affine::translation({-2, 1, 0}) * Affine::scaling(Vec3(0.5)), glass(1.0));
+  add(job, Box{}, Affine::translation({0, 0, -0.5}), coloured(1.4, {0.9, 0.1, 0.9}));
+  add(job, Box{}, Affine::translation({0.5, 0.2, -0.3}), coloured(1.4, {0.1, 0.9, 0.9}));
+  add(job, Sphere{}, Affine::translation({2, 1, -1}), mirror());
+  add(job, Sphere{}, Affine::translation({0.6, 0.5, 0.2}) * Affine::scaling(Vec3(0.2)), mirror());
+  Material wine = frosted(1.4, 0.3, 0.2);
+  wine.absorption = {0.1, 2.0, 1.5};
+  add(job, Cylinder{}, Affine::translation({1.2, 0, 2}) * Affine::scaling(Vec3(0.5)), wine);
+  return job;
+}
+
+RenderJob moving_scene() {
+  RenderJob job = room();
+  job.lights[0].travel = {-3, 1, 0};
+  job.lights[1].radius = 0.5;
+  job.lights[1].travel = {0, 1, 2};
+  Pose there;
+  there.translate = {0.4, 0.1, -0.3};
+  there.degrees = 40;
+  there.scale = {1.0, 1.2, 1.0};
+  const Shape shapes[] = {Sphere{}, Box{}, Torus{}, Cylinder{}, Mesh{smooth_octahedron()}};
+  Material coloured = glass(1.5);
+  coloured.absorption = {0.1, 0.8, 0.8};
+  const Material materials[] = {mirror(), matt({0.7, 0.3, 0.2}), coloured, mirror(0.3)};
+  for (int i = 0; i < 20; ++i) {
+    const Affine at = Affine::translation({-3 + 1.2 * (i % 5), 0.7, 2 - 1.5 * (i / 5)}) *
+                      Affine::scaling(Vec3(0.5));
+    if (i % 3 == 1) {
+      add(job, shapes[i % 5], at, materials[i % 4]);
+    } else {
+      add_moving(job, shapes[i % 5], at, materials[i % 4], moving(there));
+    }
+    if (i % 4 == 1) {
+      paint(job, Checker{Rgb(0.9), Rgb(0.1), 0.3});
+    }
+  }
+  auto to = std::make_shared<Camera>(job.camera);
+  to->eye += Vec3(0.3, 0.1, 0);
+  job.camera.to = to;
+  return job;
+}
+
 RenderJob coincident_scene() {
   RenderJob job = room();
   const Affine left = Affine::translation({-1.8, 1, 0}) * Affine::rotation(1, 13);
@@ -200,7 +251,9 @@ std::vector<PacketScene> packet_scenes() {
                                {"glass moved", moved(glass_scene(), {1e6, -2e6, 3e5})},
                                {"coincident from afar", seen_from_afar(coincident_scene())},
                                {"crowd from afar", seen_from_afar(crowded_scene())},
-                               {"lens", through_a_lens(gloss_scene())}};
+                               {"lens", through_a_lens(gloss_scene())},
+                               {"absorption", absorbing_scene()},
+                               {"motion", moving_scene()}};
   RenderJob within = gloss_scene();
   within.lights[0].position = {0, 1, 0.5};  // surfaces inside the light
   within.lights[0].radius = 1.2;

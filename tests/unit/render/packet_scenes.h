@@ -21,6 +21,10 @@ RenderJob gloss_scene();
 RenderJob textured_scene();
 /// Meshes whose shading normals are not the geometric ones: mirror, glass and matt.
 RenderJob mesh_scene();
+/// Coloured glass: nested, under water, with a camera above it, behind mirrors.
+RenderJob absorbing_scene();
+/// Shapes of all kinds, lights and the camera move; textured, mirrors and glass among them.
+RenderJob moving_scene();
 /// Surfaces that coincide: equal balls, boxes face to face, a box on a plane.
 RenderJob coincident_scene();
 /// More shapes than a list holds, turned, stretched and mirrored.

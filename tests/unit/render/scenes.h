@@ -71,4 +71,24 @@ inline RenderJob mixed_scene(int width, int height) {
   return job;
 }
 
+/// From standing still to a pose.
+inline std::shared_ptr<const Motion> moving(const Pose& to) {
+  auto motion = std::make_shared<Motion>();
+  motion->keys = {{0.0, Pose{}}, {1.0, to}};
+  return motion;
+}
+
+/// Lets the instance added last move.
+inline void give_path(RenderJob& job, std::shared_ptr<const MotionPath> path) {
+  Instance last = job.instances.back();
+  last.motion = std::move(path);
+  job.instances.replace(job.instances.size() - 1, last);
+}
+
+inline void add_moving(RenderJob& job, const Shape& shape, const Affine& placed,
+                       const Material& material, std::shared_ptr<const Motion> motion) {
+  add(job, shape, placed, material);
+  give_path(job, extended(nullptr, {placed, std::move(motion)}));
+}
+
 }  // namespace rt::test

@@ -33,11 +33,15 @@ struct Packet {
   Ids instance{no_instance};  ///< that they have left
   Wide feature{0.0};          ///< of it; as all features here, a whole number
   unsigned outward = 0;       ///< the lanes that have left it outward; the others inward
+  const Wide* time = nullptr; ///< of each, where something moves
 
   TraceRay lane(int i) const {
+    const auto at = static_cast<std::size_t>(i);
     TraceRay r{ray.origin.lane(i), ray.direction.lane(i)};
+    if (time != nullptr) {
+      r.time = (*time)[at];
+    }
     if (from_surface) {
-      const auto at = static_cast<std::size_t>(i);
       r.instance = instance[at];
       r.feature = static_cast<std::uint32_t>(feature[at]);
       r.leaving = (outward >> i & 1U) != 0 ? Leaving::outward : Leaving::inward;

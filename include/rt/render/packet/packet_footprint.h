@@ -20,7 +20,7 @@ class PacketFootprints {
   explicit PacketFootprints(const RenderPlan& plan);
 
   /// Camera rays, not normalised, become the only open paths.
-  void begin(const Wide3& direction);
+  void begin(const Packet& camera_rays);
   /// The paths that lie above `open` others meet surfaces at distances t.
   void arrive(std::size_t open, const Wide3& direction, const Wide& t, WideShadingPoint& point);
   /// At the surfaces just met.

@@ -1,5 +1,5 @@
 #pragma once
-/// The two questions asked of a scene (query.h), for packets of rays in a scene that stands still.
+/// The two questions asked of a scene (query.h), for packets of rays. What moves is asked one by one.
 /// Every lane gets the answer that its ray alone would get, bit for bit.
 #include <span>
 

@@ -15,6 +15,7 @@ struct WideShadingPoint {
   Ids instance{no_instance};
   Wide feature;
   Wide footprint{0.0};
+  const Wide* time = nullptr;  ///< of the rays that found them, where something moves
 
   ShadingPoint lane(int i) const;
   void set(int i, const ShadingPoint& point);

@@ -11,17 +11,14 @@ namespace rt {
 
 /// Follows the paths of as many samples as a register holds doubles. What they meet is lit together,
 /// whatever it is; where they part in glass, the packet divides. Each sample's radiance is that of Tracer, bit for
-/// bit: the same operations in the same order. For scenes where nothing moves and no medium absorbs.
+/// bit: the same operations in the same order.
 class PacketTracer {
  public:
-  static bool serves(const RenderPlan& plan);
-
   explicit PacketTracer(const RenderPlan& plan);
 
-  /// The radiance that arrives along those camera rays (of any length) that are `active`. `y`: as for
-  /// Tracer, `sampler`: theirs.
-  Wide3 radiance(const WideRay& camera, unsigned active, const Wide& y, const WideSampler& sampler,
-                 RayCounts& counts, const Candidates& sight);
+  /// The radiance that arrives along camera rays of any length. `y`: as for Tracer, `sampler`: theirs.
+  Wide3 radiance(const Packet& camera, const Wide& y, const WideSampler& sampler, RayCounts& counts,
+                 const Candidates& sight);
 
  private:
   struct Path {
@@ -33,11 +30,14 @@ class PacketTracer {
   struct Surfaces;
   struct Scatter;
 
-  void follow(const Path& path);
-  void shade(const Path& path, const PacketHits& hits, unsigned bits);
+  void follow(Path& path);
+  void miss(Path& path, unsigned bits);
+  void shade(Path& path, const PacketHits& hits, unsigned bits);
   void resolve_textures(Surfaces& at, const PacketHits& hits, std::uint32_t id, unsigned bits);
   unsigned find_media(Surfaces& at, std::uint32_t id, const PlannedMaterial& material,
                       unsigned bits);
+  void find_medium(Surfaces& at, unsigned bits);
+  void absorb(Path& path, const Surfaces& at, const Wide& t, unsigned bits);
   Wide3 surface(const Surfaces& at, unsigned bits);
   void scatter_glass(Scatter& at);
   void divide(Scatter& at, const Wide& reflected, const Wide& transmitted);
