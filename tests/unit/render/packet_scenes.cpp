@@ -112,14 +112,14 @@ RenderJob mesh_scene() {
   return job;
 }
 
-RenderJob absorbing_scene() {
+RenderJob absorbing_scene(double water_level) {
   const auto coloured = [](double ior, const Rgb& absorption) {
     Material m = glass(ior);
     m.absorption = absorption;
     return m;
   };
   RenderJob job = room();
-  add(job, Plane{}, Affine::translation({0, 0.3, 0}), coloured(1.33, {0.4, 0.1, 0.05}));
+  add(job, Plane{}, Affine::translation({0, water_level, 0}), coloured(1.33, {0.4, 0.1, 0.05}));
   add(job, Sphere{}, Affine::translation({-2, 1, 0}), coloured(1.5, {0.1, 0.8, 0.8}));
   add(job, Sphere{}, Affine::translation({-2, 1, 0}) * Affine::scaling(Vec3(0.5)), glass(1.0));
   add(job, Box{}, Affine::translation({0, 0, -0.5}), coloured(1.4, {0.9, 0.1, 0.9}));
@@ -159,6 +159,7 @@ RenderJob moving_scene() {
   }
   auto to = std::make_shared<Camera>(job.camera);
   to->eye += Vec3(0.3, 0.1, 0);
+  to->view += Vec3(0.4, 0, 0);
   job.camera.to = to;
   return job;
 }
@@ -252,7 +253,7 @@ std::vector<PacketScene> packet_scenes() {
                                {"coincident from afar", seen_from_afar(coincident_scene())},
                                {"crowd from afar", seen_from_afar(crowded_scene())},
                                {"lens", through_a_lens(gloss_scene())},
-                               {"absorption", absorbing_scene()},
+                               {"absorption", absorbing_scene(0.3)},
                                {"motion", moving_scene()}};
   RenderJob within = gloss_scene();
   within.lights[0].position = {0, 1, 0.5};  // surfaces inside the light
@@ -272,6 +273,9 @@ std::vector<PacketScene> packet_scenes() {
   dull.options.reflection = false;
   dull.options.filter = Filter::tent;
   all.push_back({"without reflection", dull});
+  RenderJob diving = absorbing_scene(3.0);  // no surface between light and floor
+  diving.lights[1].position = {-1, 1.5, 1.5};
+  all.push_back({"under water", diving});
   RenderJob unfiltered = textured_scene();
   unfiltered.options.texture_filter = false;
   all.push_back({"unfiltered textures", unfiltered});

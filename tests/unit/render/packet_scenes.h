@@ -21,8 +21,8 @@ RenderJob gloss_scene();
 RenderJob textured_scene();
 /// Meshes whose shading normals are not the geometric ones: mirror, glass and matt.
 RenderJob mesh_scene();
-/// Coloured glass: nested, under water, with a camera above it, behind mirrors.
-RenderJob absorbing_scene();
+/// Coloured glass: nested, in water, behind mirrors.
+RenderJob absorbing_scene(double water_level);
 /// Shapes of all kinds, lights and the camera move; textured, mirrors and glass among them.
 RenderJob moving_scene();
 /// Surfaces that coincide: equal balls, boxes face to face, a box on a plane.
