@@ -2,6 +2,7 @@
 
 #include "convex.h"
 #include "rt/geometry/exact.h"
+#include "rt/geometry/wide_shapes.h"
 #include "rt/math/rounding.h"
 
 namespace rt {
@@ -50,19 +51,19 @@ class View {
 /// of six products that have been rounded at most seven times, and with |d|_1 the sum of d's parts
 /// their sizes add up to at most |d|_1 |b| |c|. What underflow may add is far less than what the
 /// bound's last term says.
-bool passes_by(const Ray& ray, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3& d = ray.direction;
-  const Vec3 p = a - ray.origin;
-  const Vec3 q = b - ray.origin;
-  const Vec3 r = c - ray.origin;
-  const double u = glm::dot(d, glm::cross(r, q));
-  const double v = glm::dot(d, glm::cross(p, r));
-  const double w = glm::dot(d, glm::cross(q, p));
-  const double size = std::max(std::max(glm::dot(p, p), glm::dot(q, q)), glm::dot(r, r));
-  const double sum = std::abs(d.x) + std::abs(d.y) + std::abs(d.z);
-  const double error =
-      gamma(16) * sum * size + (1 + sum) * std::numeric_limits<double>::min();
-  return std::max(std::max(u, v), w) > error && std::min(std::min(u, v), w) < -error;
+template <class Real, class V>
+auto passes_by(const V& origin, const V& d, const Vec3& a, const Vec3& b, const Vec3& c) {
+  using std::abs, std::max, std::min;
+  const V p = V(a) - origin;
+  const V q = V(b) - origin;
+  const V r = V(c) - origin;
+  const Real u = dot(d, cross(r, q));
+  const Real v = dot(d, cross(p, r));
+  const Real w = dot(d, cross(q, p));
+  const Real size = max(max(dot(p, p), dot(q, q)), dot(r, r));
+  const Real sum = abs(d.x) + abs(d.y) + abs(d.z);
+  const Real error = gamma(16) * sum * size + (1.0 + sum) * std::numeric_limits<double>::min();
+  return max(max(u, v), w) > error && min(min(u, v), w) < -error;
 }
 
 /// Whether the origin is so close to the triangle's plane that arithmetic cannot tell the two
@@ -133,7 +134,7 @@ OptionalHit intersect_triangle(const MeshData& mesh, std::uint32_t triangle, con
   const Vec3& a = mesh.positions[corners[0]];
   const Vec3& b = mesh.positions[corners[1]];
   const Vec3& c = mesh.positions[corners[2]];
-  if (passes_by(ray, a, b, c)) {
+  if (passes_by<double>(ray.origin, ray.direction, a, b, c)) {
     return {};
   }
   const View view(ray);
@@ -165,6 +166,12 @@ OptionalHit intersect_triangle(const MeshData& mesh, std::uint32_t triangle, con
     return {};
   }
   return hit;
+}
+
+WideMask passes_by(const MeshData& mesh, std::uint32_t triangle, const WideRay& ray) {
+  const Corners& corners = mesh.triangles[triangle];
+  return passes_by<Wide>(ray.origin, ray.direction, mesh.positions[corners[0]],
+                         mesh.positions[corners[1]], mesh.positions[corners[2]]);
 }
 
 Bounds triangle_bounds(const MeshData& mesh, std::uint32_t triangle) {

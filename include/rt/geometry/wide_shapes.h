@@ -74,6 +74,10 @@ Wide3 normal_change(const Cylinder& shape, const WideSurfacePoint& point, const 
 Wide3 normal_change(const Torus& shape, const WideSurfacePoint& point, const Wide& feature,
                     const Wide3& step);
 
+/// The lanes whose rays plainly pass a triangle by, as most do that come near one. The others are for
+/// intersect_triangle().
+WideMask passes_by(const MeshData& mesh, std::uint32_t triangle, const WideRay& ray);
+
 /// The lanes whose ray may cross what lies in the box, before t_max: no crossing that a shape's
 /// scalar function would report is lost. `position_error`: as above; a ray that stands for one on
 /// the surface may be taken to have gone in, though it passes the box by.

@@ -112,6 +112,9 @@ inline Wide3 operator*(const Wide& s, const Wide3& a) { return {s * a.x, s * a.y
 inline Wide3 operator/(const Wide3& a, const Wide& s) { return {a.x / s, a.y / s, a.z / s}; }
 
 inline Wide dot(const Wide3& a, const Wide3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Wide3 cross(const Wide3& a, const Wide3& b) {
+  return {a.y * b.z - b.y * a.z, a.z * b.x - b.z * a.x, a.x * b.y - b.x * a.y};
+}
 inline Wide length(const Wide3& a) { return sqrt(dot(a, a)); }
 inline Wide3 normalize(const Wide3& a) { return a * (1.0 / sqrt(dot(a, a))); }
 inline Wide max_abs(const Wide3& v) { return max(max(abs(v.x), abs(v.y)), abs(v.z)); }

@@ -65,17 +65,103 @@ WideHit meet_again(const RenderPlan& plan, const PlannedInstance& instance, cons
   return {WideMask(false), mask_of(~gone & all_lanes), Wide(0.0), Wide(0.0)};
 }
 
+/// The triangles of a mesh that lanes cross first, or any.
+class MeshSearch {
+ public:
+  MeshSearch(const MeshData& mesh, const WideRay& ray, const Packet& packet, const Wide& error,
+             unsigned again, const Wide& t_max, bool any)
+      : mesh_(mesh),
+        ray_(ray),
+        packet_(packet),
+        error_(error),
+        again_(again),
+        any_(any),
+        limit_(t_max),
+        t_(t_max) {}
+
+  WideHit walk(const BoxTree& tree, unsigned bits) {
+    const Wide size = length(ray_.direction);
+    PacketBoxRays rays(tree.space(), {ray_.origin, ray_.direction * (1.0 / size)},
+                       bits & bits_of(size > 0.0), limit_, size);
+    const auto visit = [&](std::uint32_t triangle, unsigned lanes_there) {
+      return meet(triangle, lanes_there) ? &limit_ : nullptr;
+    };
+    tree.walk_together(rays, visit);
+    return {mask_of(found_), WideMask(false), t_, feature_};
+  }
+
+ private:
+  /// Whether that shortens a search.
+  bool meet(std::uint32_t triangle, unsigned bits) {
+    unsigned hits = 0;
+    each_lane(bits & ~bits_of(passes_by(mesh_, triangle, ray_)), [&](int i) {
+      const auto at = static_cast<std::size_t>(i);
+      const OptionalHit hit =
+          intersect_triangle(mesh_, triangle, ray_.lane(i), t_[at], start_of(i));
+      // Equal t: the lower index wins, whatever the order of the walk.
+      const bool first = (found_ >> i & 1U) == 0;
+      if (hit && (first || hit->t < t_[at] || triangle < feature_[at])) {
+        hits |= 1U << i;
+        t_[at] = hit->t;
+        feature_[at] = triangle;
+        limit_[at] = any_ ? -1.0 : hit->t;
+      }
+    });
+    found_ |= hits;
+    return hits != 0;
+  }
+
+  RayStart start_of(int i) const {
+    const auto at = static_cast<std::size_t>(i);
+    RayStart start{.position_error = error_[at]};
+    if ((again_ >> i & 1U) != 0) {
+      start.leaving = (packet_.outward >> i & 1U) != 0 ? Leaving::outward : Leaving::inward;
+      start.feature = static_cast<std::uint32_t>(packet_.feature[at]);
+    }
+    return start;
+  }
+
+  const MeshData& mesh_;
+  const WideRay& ray_;
+  const Packet& packet_;
+  const Wide& error_;
+  unsigned again_;
+  bool any_;
+  Wide limit_;
+  Wide t_;
+  Wide feature_{0.0};
+  unsigned found_ = 0;
+};
+
+/// The crossings of a mesh with a hierarchy in the lanes of `bits`, none undecided; `any`: not the
+/// nearest. `again`: the lanes that have left it.
+WideHit meet_mesh(const RenderPlan& plan, const PlannedInstance& instance, const Packet& packet,
+                  unsigned bits, unsigned again, const Wide& t_max, bool any) {
+  const MeshData& mesh = *plan.shapes.of<Mesh>()[instance.shape].data;
+  const BoxTree& tree = *plan.mesh_trees[instance.shape];
+  return plan.map(instance, 0.0, [&](const auto& map) {
+    const WideRay ray = model_rays(map, packet.ray);
+    const Wide error = error_in_model(map, packet);
+    return MeshSearch(mesh, ray, packet, error, again, t_max, any).walk(tree, bits);
+  });
+}
+
 /// The crossings of an instance that is elsewhere for every lane. `again`: as above.
 WideHit meet_moving(const PlannedInstance& instance, const Packet& packet, unsigned again) {
   const unsigned gone = instance.convex ? again & packet.outward : 0;
   return {WideMask(false), mask_of(~gone & all_lanes), Wide(0.0), Wide(0.0)};
 }
 
-/// The crossings of those lanes of the packet that are in `bits`; none is left undecided.
+/// The crossings of those lanes of the packet that are in `bits`, the nearest or any; none is left
+/// undecided.
 WideHit crossings(const RenderPlan& plan, std::uint32_t id, const Packet& packet, unsigned bits,
-                  const Wide& t_max) {
+                  const Wide& t_max, bool any = false) {
   const PlannedInstance& instance = plan.instances[id];
   const unsigned again = packet.from_surface ? lanes_where(packet.instance, id) & bits : 0;
+  if (instance.is<Mesh>() && plan.mesh_trees[instance.shape] && !instance.moves() &&
+      (bits & (bits - 1)) != 0) {
+    return meet_mesh(plan, instance, packet, bits, again, t_max, any);
+  }
   WideHit found = instance.moves() ? meet_moving(instance, packet, again)
                   : again == bits  ? meet_again(plan, instance, packet, t_max)
                                    : meet(plan, instance, packet, t_max);
@@ -176,7 +262,7 @@ unsigned occluded_lanes(const RenderPlan& plan, const Packet& packet, const Wide
   each_candidate(plan, packet, t_max, [&](std::uint32_t id, unsigned bits) -> const Wide* {
     bits &= ~(found | gone_for_good(plan, id, packet.instance, packet.outward));
     if (bits != 0 && may_block(plan.instances[id])) {
-      if (const unsigned hit = bits_of(crossings(plan, id, packet, bits, t_max).hit)) {
+      if (const unsigned hit = bits_of(crossings(plan, id, packet, bits, t_max, true).hit)) {
         found |= hit;
         last = id;
         limit = select(mask_of(found), Wide(-1.0), t_max);
@@ -194,7 +280,7 @@ unsigned occluded_lanes_by(const RenderPlan& plan, std::span<const Blocker> bloc
   for (const auto& [id, bits] : blockers) {
     const unsigned open = bits & ~found;
     if (open != 0 && may_block(plan.instances[id])) {
-      found |= bits_of(crossings(plan, id, packet, open, t_max).hit);
+      found |= bits_of(crossings(plan, id, packet, open, t_max, true).hit);
     }
   }
   return found;

@@ -13,12 +13,15 @@ class PacketBoxRays {
   using Floats = stdx::rebind_simd_t<float, Wide>;
 
  public:
-  /// Lanes that pass all boxes by are taken out.
-  PacketBoxRays(const BoxSpace& space, const Packet& packet, const Wide& t_max) {
-    per_t_ = space.per_unit();
-    const Wide3 origin = (packet.ray.origin - Wide3(space.centre())) * per_t_;
-    const unsigned near = bits_of(max_abs(origin) < BoxSpace::reach_of_rays) & packet.active;
-    const Wide3& d = packet.ray.direction;
+  /// Rays whose directions are unit vectors; those that pass all boxes by are taken out. t counts
+  /// `length`s.
+  PacketBoxRays(const BoxSpace& space, const WideRay& ray, unsigned active, const Wide& t_max,
+                const Wide& length = 1.0) {
+    const Wide per_unit = space.per_unit();
+    per_t_ = per_unit * length;
+    const Wide3 origin = (ray.origin - Wide3(space.centre())) * per_unit;
+    const unsigned near = bits_of(max_abs(origin) < BoxSpace::reach_of_rays) & active;
+    const Wide3& d = ray.direction;
     const Wide3 inverse{inverse_of(d.x), inverse_of(d.y), inverse_of(d.z)};
     active_ = near;
     for (std::size_t i = 0; i < lanes; ++i) {
@@ -27,9 +30,9 @@ class PacketBoxRays {
       rays_[i].inverse = {static_cast<float>(inverse.x[i]), static_cast<float>(inverse.y[i]),
                           static_cast<float>(inverse.z[i])};
     }
-    each_lane(packet.active & ~near, [&](int i) {
+    each_lane(active & ~near, [&](int i) {
       const auto at = static_cast<std::size_t>(i);
-      if (space.enter(packet.ray.lane(i), rays_[at])) {
+      if (space.enter(ray.lane(i), rays_[at])) {
         active_ |= 1U << i;
         entry_[at] = rays_[at].entry;
       }
@@ -102,7 +105,7 @@ class PacketBoxRays {
 /// returns is the lanes' new t_max, null where it is the old one.
 template <class Visit>
 void walk_packet(const BoxList& list, const Packet& packet, const Wide& t_max, Visit&& visit) {
-  PacketBoxRays rays(list.space(), packet, t_max);
+  PacketBoxRays rays(list.space(), packet.ray, packet.active, t_max);
   const auto& groups = list.groups();
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const auto touched = rays.touched(groups[g], rays.active());
@@ -123,7 +126,7 @@ void walk_packet(const BoxList& list, const Packet& packet, const Wide& t_max, V
 /// The same for a hierarchy.
 template <class Visit>
 void walk_packet(const BoxTree& tree, const Packet& packet, const Wide& t_max, Visit&& visit) {
-  PacketBoxRays rays(tree.space(), packet, t_max);
+  PacketBoxRays rays(tree.space(), packet.ray, packet.active, t_max);
   tree.walk_together(rays, visit);
 }
 

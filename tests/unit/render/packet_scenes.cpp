@@ -1,5 +1,7 @@
 #include "packet_scenes.h"
 
+#include "rt/math/warp.h"
+
 namespace rt::test {
 namespace {
 
@@ -41,6 +43,37 @@ std::shared_ptr<MeshData> smooth_octahedron() {
                      {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
   data->normals = data->positions;
   data->triangle_normals = data->triangles;
+  return data;
+}
+
+/// The unit ball by latitude and longitude, rippled; with its normals where `smooth`. Triangles at the
+/// poles have no area, and every tenth comes twice.
+std::shared_ptr<MeshData> fine_ball(bool smooth) {
+  constexpr std::uint32_t edge = 14;
+  auto data = std::make_shared<MeshData>();
+  for (std::uint32_t i = 0; i <= edge; ++i) {
+    for (std::uint32_t j = 0; j <= edge; ++j) {
+      const double down = pi * i / edge;
+      const double round = 2.0 * pi * (j % edge) / edge;
+      const Vec3 normal(std::sin(down) * std::cos(round), std::cos(down),
+                        -std::sin(down) * std::sin(round));
+      data->positions.push_back((1.0 + 0.05 * std::sin(5.0 * round)) * normal);
+      data->normals.push_back(normal);
+      if (i < edge && j < edge) {
+        const std::uint32_t a = i * (edge + 1) + j;
+        data->triangles.push_back({a, a + edge + 1, a + 1});
+        data->triangles.push_back({a + 1, a + edge + 1, a + edge + 2});
+        if (data->triangles.size() % 10 < 2) {
+          data->triangles.push_back(data->triangles.back());
+        }
+      }
+    }
+  }
+  if (smooth) {
+    data->triangle_normals = data->triangles;
+  } else {
+    data->normals.clear();
+  }
   return data;
 }
 
@@ -109,6 +142,23 @@ RenderJob mesh_scene() {
   add(job, PointedCone{}, Affine::translation({1, 0, 2}), frosted(1.4, 0.3, 0.0));
   add(job, PointedCone{}, Affine::translation({-1, 0, 2}) * Affine::scaling({0.5, 1, 0.5}),
       mirror());
+  return job;
+}
+
+RenderJob fine_mesh_scene() {
+  RenderJob job = room();
+  job.lights[1].radius = 0.5;
+  const Mesh smooth{fine_ball(true)};
+  const Mesh flat{fine_ball(false)};
+  const auto at = [](const Vec3& place) {
+    return Affine::translation(place) * Affine::rotation(0, 20);
+  };
+  add(job, smooth, at({-2.2, 1, 0}), mirror());
+  add(job, flat, at({0, 1, 0}), glass(1.5));
+  add(job, flat, at({0, 1, 0}) * Affine::scaling(Vec3(0.5)), matt({0.2, 0.7, 0.3}));
+  add(job, smooth, at({2.2, 1, 0}) * Affine::scaling({1, -0.7, 1.2}), frosted(1, 1, 0));
+  add(job, smooth, Affine::translation({0.3, 0.5, 2}) * Affine::scaling(Vec3(0.5)),
+      frosted(1.4, 0.3, 0.1));
   return job;
 }
 
@@ -247,6 +297,8 @@ std::vector<PacketScene> packet_scenes() {
                                {"gloss", gloss_scene()},
                                {"textures", textured_scene()},
                                {"meshes", mesh_scene()},
+                               {"fine meshes", fine_mesh_scene()},
+                               {"fine meshes from afar", seen_from_afar(fine_mesh_scene())},
                                {"coincident", coincident_scene()},
                                {"crowd", crowded_scene()},
                                {"glass moved", moved(glass_scene(), {1e6, -2e6, 3e5})},

@@ -21,6 +21,8 @@ RenderJob gloss_scene();
 RenderJob textured_scene();
 /// Meshes whose shading normals are not the geometric ones: mirror, glass and matt.
 RenderJob mesh_scene();
+/// Meshes of some hundred triangles each, likewise.
+RenderJob fine_mesh_scene();
 /// Coloured glass: nested, in water, behind mirrors.
 RenderJob absorbing_scene(double water_level);
 /// Shapes of all kinds, lights and the camera move; textured, mirrors and glass among them.
