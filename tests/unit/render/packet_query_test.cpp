@@ -21,6 +21,7 @@ class Random {
     return {uniform(-size, size), uniform(-size, size), uniform(-size, size)};
   }
   Vec3 direction() { return glm::normalize(vector(1)); }
+  std::uint32_t below(std::size_t n) { return static_cast<std::uint32_t>(engine_() % n); }
   unsigned some_lanes() { return static_cast<unsigned>(engine_()) & all_lanes; }
 
  private:
@@ -118,6 +119,82 @@ TEST(PacketQuery, AnswersAsForEachRayAlone) {
       EXPECT_GT(tally.blocked, 10) << scene.name;
     }
   }
+}
+
+/// A point of some edge of the mesh, within rounding error or exactly.
+Vec3 near_an_edge(const MeshData& mesh, double error, Random& random) {
+  const Corners& corners = mesh.triangles[random.below(mesh.triangles.size())];
+  const std::size_t first = random.below(3);
+  const Vec3& a = mesh.positions[corners[first]];
+  const Vec3& b = mesh.positions[corners[(first + 1) % 3]];
+  const double along = random.below(4) == 0 ? 0.0 : random.uniform(0, 1);
+  return a + along * (b - a) + static_cast<double>(random.below(3)) * random.vector(error);
+}
+
+// From near and from a million sizes away, where the points met are off by a billionth.
+TEST(PacketQuery, AnswersAsForEachRayAloneAtTheEdgesOfTriangles) {
+  for (const double away : {0.0, 1e6}) {
+    RenderJob job = test::fine_mesh_scene();
+    job.camera.eye += away * Vec3(1, 0.3, -0.7);
+    const RenderPlan plan = make_plan(job);
+    Random random;
+    Tally tally;
+    for (int k = 0; k < 3000; ++k) {
+      const Instance mesh = job.instances[1 + random.below(5)];
+      Packet packet;
+      packet.active = all_lanes;
+      for (int i = 0; i < lanes; ++i) {
+        const Vec3 in_model =
+            near_an_edge(*std::get<Mesh>(*mesh.shape).data, 1e-15 * (1.0 + away), random);
+        const Vec3 target = mesh.world_from_model.point(in_model) - job.camera.eye;
+        const Vec3 back = random.direction();
+        packet.ray.origin.set(i, target + back);
+        packet.ray.direction.set(i, -back);
+      }
+      compare(plan, packet, random, tally);
+      go_on(plan, packet, random, tally);
+      ASSERT_FALSE(HasFatalFailure()) << "from " << away;
+    }
+    EXPECT_GT(tally.hits, 3000 * lanes);
+  }
+}
+
+// A ray through an edge meets both triangles at one distance, to the last bit where they are level.
+TEST(PacketQuery, OfTrianglesMetAtOnceTheLowestCounts) {
+  constexpr std::uint32_t edge = 12;
+  auto data = std::make_shared<MeshData>();
+  for (std::uint32_t i = 0; i <= edge; ++i) {
+    for (std::uint32_t j = 0; j <= edge; ++j) {
+      data->positions.emplace_back(i, 0, j);
+      if (i < edge && j < edge) {
+        const std::uint32_t a = i * (edge + 1) + j;
+        data->triangles.push_back({a, a + 1, a + edge + 1});
+        data->triangles.push_back({a + 1, a + edge + 2, a + edge + 1});
+      }
+    }
+  }
+  Random random;
+  for (std::size_t i = data->triangles.size(); i > 1; --i) {
+    std::swap(data->triangles[i - 1], data->triangles[random.below(i)]);
+  }
+  RenderJob job = test::bare_job();
+  test::add(job, Mesh{data}, {}, test::matt(Rgb(1.0)));
+  job.camera.eye = Vec3(0.0);
+  const RenderPlan plan = make_plan(job);
+  Tally tally;
+  for (int k = 0; k < 1000; ++k) {
+    Packet packet;
+    packet.active = all_lanes;
+    const Vec3 corner(1.0 + random.below(edge - 2), 0, 1.0 + random.below(edge - 2));
+    for (int i = 0; i < lanes; ++i) {  // corners, middles of edges and of diagonals
+      const Vec3 there = corner + 0.5 * Vec3(random.below(3), 0, random.below(3));
+      packet.ray.origin.set(i, there + Vec3(0, 3, 0));
+      packet.ray.direction.set(i, Vec3(0, -1, 0));
+    }
+    compare(plan, packet, random, tally);
+    ASSERT_FALSE(HasFatalFailure());
+  }
+  EXPECT_EQ(tally.hits, 1000 * lanes);
 }
 
 }  // namespace
