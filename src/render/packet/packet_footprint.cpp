@@ -53,13 +53,14 @@ WideNormalDifferential normal_differential(const RenderPlan& plan, std::uint32_t
 PacketFootprints::PacketFootprints(const RenderPlan& plan)
     : plan_(plan), spacing_(sample_spacing(plan.options)) {}
 
-void PacketFootprints::begin(const Packet& camera_rays) {
+void PacketFootprints::begin(const WideRay& camera_rays, unsigned active, const Wide* time) {
   open_.clear();
-  open_.push_back(
-      camera_differential(plan_.camera, plan_.options, camera_rays.ray.direction));
+  open_.push_back(camera_differential(plan_.camera, plan_.options, camera_rays.direction));
   if (plan_.moving_camera) {
-    each_lane(camera_rays.active, [&](int i) {
-      set_lane(open_.back(), i, camera_differential(plan_, camera_rays.lane(i)));
+    each_lane(active, [&](int i) {
+      TraceRay ray{camera_rays.origin.lane(i), camera_rays.direction.lane(i)};
+      ray.time = (*time)[static_cast<std::size_t>(i)];
+      set_lane(open_.back(), i, camera_differential(plan_, ray));
     });
   }
 }

@@ -24,8 +24,19 @@ Wide error_in_model(const Map& map, const Packet& packet) {
   return stretch * packet.position_error + gamma(Map::roundings) * reach;
 }
 
+/// Of shapes that are asked one by one: the lanes that may cross.
+WideHit meet_box(const RenderPlan& plan, const PlannedInstance& instance, const Packet& packet,
+                 const Wide& t_max) {
+  return plan.map(instance, 0.0, [&](const auto& map) -> WideHit {
+    return {WideMask(false),
+            may_meet(model_box_of(plan, instance), model_rays(map, packet.ray), t_max,
+                     error_in_model(map, packet)),
+            Wide(0.0), Wide(0.0)};
+  });
+}
+
 /// The crossings of lanes that start elsewhere.
-WideHit meet(const RenderPlan& plan, const PlannedInstance& instance, const Packet& packet,
+[[gnu::noinline]] WideHit meet(const RenderPlan& plan, const PlannedInstance& instance, const Packet& packet,
              const Wide& t_max) {
   return plan.visit(instance, [&](const auto& shape) -> WideHit {
     if constexpr (WideShape<std::decay_t<decltype(shape)>>) {
@@ -33,12 +44,7 @@ WideHit meet(const RenderPlan& plan, const PlannedInstance& instance, const Pack
         return intersect(shape, model_rays(map, packet.ray), t_max, error_in_model(map, packet));
       });
     } else {
-      return plan.map(instance, 0.0, [&](const auto& map) -> WideHit {
-        return {WideMask(false),
-                may_meet(model_box_of(plan, instance), model_rays(map, packet.ray), t_max,
-                         error_in_model(map, packet)),
-                Wide(0.0), Wide(0.0)};
-      });
+      return meet_box(plan, instance, packet, t_max);
     }
   });
 }
@@ -152,27 +158,10 @@ WideHit meet_moving(const PlannedInstance& instance, const Packet& packet, unsig
   return {WideMask(false), mask_of(~gone & all_lanes), Wide(0.0), Wide(0.0)};
 }
 
-/// The crossings of those lanes of the packet that are in `bits`, the nearest or any; none is left
-/// undecided.
-WideHit crossings(const RenderPlan& plan, std::uint32_t id, const Packet& packet, unsigned bits,
-                  const Wide& t_max, bool any = false) {
-  const PlannedInstance& instance = plan.instances[id];
-  const unsigned again = packet.from_surface ? lanes_where(packet.instance, id) & bits : 0;
-  if (instance.is<Mesh>() && plan.mesh_trees[instance.shape] && !instance.moves() &&
-      (bits & (bits - 1)) != 0) {
-    return meet_mesh(plan, instance, packet, bits, again, t_max, any);
-  }
-  WideHit found = instance.moves() ? meet_moving(instance, packet, again)
-                  : again == bits  ? meet_again(plan, instance, packet, t_max)
-                                   : meet(plan, instance, packet, t_max);
-  if (again != 0 && again != bits && !instance.moves()) {
-    const WideMask left = mask_of(again);
-    const WideHit next = meet_again(plan, instance, packet, t_max);
-    found.hit = (found.hit && !left) || (next.hit && left);
-    found.undecided = (found.undecided && !left) || (next.undecided && left);
-    found.t = select(left, next.t, found.t);
-    found.feature = select(left, next.feature, found.feature);
-  }
+/// Asks the lanes of `bits` one by one where the answer is undecided.
+[[gnu::always_inline]] inline void decide(const RenderPlan& plan, std::uint32_t id,
+                                          const Packet& packet, unsigned bits, const Wide& t_max,
+                                          WideHit& found) {
   unsigned hit = bits_of(found.hit) & bits;
   const unsigned undecided = bits_of(found.undecided) & bits;
   if (undecided != 0) {
@@ -186,7 +175,51 @@ WideHit crossings(const RenderPlan& plan, std::uint32_t id, const Packet& packet
     });
   }
   found.hit = mask_of(hit);
+}
+
+/// Of what is met by searching it, or elsewhere by every lane.
+[[gnu::noinline]] WideHit crossings_of_mesh_or_moving(const RenderPlan& plan, std::uint32_t id,
+                                                      const Packet& packet, unsigned bits,
+                                                      const Wide& t_max, bool any) {
+  const PlannedInstance& instance = plan.instances[id];
+  const unsigned again = packet.from_surface ? lanes_where(packet.instance, id) & bits : 0;
+  if (!instance.moves() && plan.mesh_trees[instance.shape] && std::popcount(bits) > 1) {
+    return meet_mesh(plan, instance, packet, bits, again, t_max, any);
+  }
+  WideHit found = instance.moves() ? meet_moving(instance, packet, again)
+                                   : meet_box(plan, instance, packet, t_max);
+  found.undecided = found.undecided || mask_of(instance.moves() ? 0U : again);
+  decide(plan, id, packet, bits, t_max, found);
   return found;
+}
+
+/// Of all else.
+WideHit crossings_of_still(const RenderPlan& plan, std::uint32_t id, const Packet& packet,
+                           unsigned bits, const Wide& t_max) {
+  const PlannedInstance& instance = plan.instances[id];
+  const unsigned again = packet.from_surface ? lanes_where(packet.instance, id) & bits : 0;
+  WideHit found = again == bits ? meet_again(plan, instance, packet, t_max)
+                                : meet(plan, instance, packet, t_max);
+  if (again != 0 && again != bits) {
+    const WideMask left = mask_of(again);
+    const WideHit next = meet_again(plan, instance, packet, t_max);
+    found.hit = (found.hit && !left) || (next.hit && left);
+    found.undecided = (found.undecided && !left) || (next.undecided && left);
+    found.t = select(left, next.t, found.t);
+    found.feature = select(left, next.feature, found.feature);
+  }
+  decide(plan, id, packet, bits, t_max, found);
+  return found;
+}
+
+/// The crossings of those lanes of the packet that are in `bits`, the nearest or any; none is left
+/// undecided.
+WideHit crossings(const RenderPlan& plan, std::uint32_t id, const Packet& packet, unsigned bits,
+                  const Wide& t_max, bool any = false) {
+  const PlannedInstance& instance = plan.instances[id];
+  return instance.is<Mesh>() || instance.moves()
+             ? crossings_of_mesh_or_moving(plan, id, packet, bits, t_max, any)
+             : crossings_of_still(plan, id, packet, bits, t_max);
 }
 
 /// Keeps each lane's winner among the crossings offered: as Nearest in query.cpp.

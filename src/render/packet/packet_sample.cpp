@@ -96,21 +96,19 @@ void PacketSampler::take_packet(std::span<const PixelSample> wanted,
   const Wide px = place.x / plan.options.width;
   const Wide py = place.y / plan.options.height;
   const unsigned active = (1U << count) - 1U;
-  Packet camera{{Wide3(Wide(0.0)), direction(plan.camera, px, py)}, active};
+  WideRay camera{Wide3(Wide(0.0)), direction(plan.camera, px, py)};
   Wide times(0.0);
   for (int i = 0; i < lanes && own_rays; ++i) {
     const auto at = static_cast<std::size_t>(i);
     const TraceRay ray = camera_ray(plan, px[at], py[at], sampler.lane(i));
-    camera.ray.origin.set(i, ray.origin);
-    camera.ray.direction.set(i, ray.direction);
+    camera.origin.set(i, ray.origin);
+    camera.direction.set(i, ray.direction);
     times[at] = ray.time;
-  }
-  if (plan.moves) {
-    camera.time = &times;
   }
   const Wide y = min(max(py, Wide(0.0)), Wide(1.0));
   const Wide3 sum =
-      tracer_.radiance(camera, y, sampler, statistics.rays, sight_of(sight, place, count));
+      tracer_.radiance(camera, active, plan.moves ? &times : nullptr, y, sampler, statistics.rays,
+                       sight_of(sight, place, count));
   statistics.samples += count;
   for (unsigned i = 0; i < count; ++i) {
     values[i] = sum.lane(static_cast<int>(i));

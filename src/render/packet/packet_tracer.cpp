@@ -75,19 +75,23 @@ PacketTracer::PacketTracer(const RenderPlan& plan)
   }
 }
 
-Wide3 PacketTracer::radiance(const Packet& camera, const Wide& y, const WideSampler& sampler,
-                             RayCounts& counts, const Candidates& sight) {
+Wide3 PacketTracer::radiance(const WideRay& camera, unsigned active, const Wide* time,
+                             const Wide& y, const WideSampler& sampler, RayCounts& counts,
+                             const Candidates& sight) {
   sum_ = Wide3(Wide(0.0));
   y_ = y;
   sight_ = sight;
   sampler_ = &sampler;
   counts_ = &counts;
-  counts.camera += static_cast<unsigned>(std::popcount(camera.active));
+  counts.camera += static_cast<unsigned>(std::popcount(active));
   if (footprints_) {
-    footprints_->begin(camera);
+    footprints_->begin(camera, active, time);
   }
-  Path first{camera, Wide3(Wide(1.0)), {}, 0};
-  first.packet.ray.direction = camera.ray.direction * (1.0 / length(camera.ray.direction));
+  Path first{{{camera.origin, camera.direction * (1.0 / length(camera.direction))}, active},
+             Wide3(Wide(1.0)),
+             {},
+             0};
+  first.packet.time = time;
   follow(first);
   while (!open_.empty()) {
     Path path = open_.back();

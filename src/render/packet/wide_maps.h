@@ -37,7 +37,7 @@ inline Wide3 model_points(const LinearMap& map, const Wide3& p) {
 }
 
 template <class Map>
-WideRay model_rays(const Map& map, const WideRay& r) {
+inline WideRay model_rays(const Map& map, const WideRay& r) {
   return {model_points(map, r.origin), model_vectors(map, r.direction)};
 }
 
@@ -53,7 +53,7 @@ inline Wide3 render_covectors(const LinearMap& map, const Wide3& n) {
 inline Wide3 scaled_to_unit(const Wide3& v) { return normalize(v / max_abs(v)); }
 inline Wide3 render_normals(const MovedMap&, const Wide3& n) { return n; }
 template <class Map>
-Wide3 render_normals(const Map& map, const Wide3& n) {
+inline Wide3 render_normals(const Map& map, const Wide3& n) {
   return scaled_to_unit(render_covectors(map, n));
 }
 

@@ -19,8 +19,8 @@ class PacketFootprints {
  public:
   explicit PacketFootprints(const RenderPlan& plan);
 
-  /// Camera rays, not normalised, become the only open paths.
-  void begin(const Packet& camera_rays);
+  /// Camera rays, not normalised, become the only open paths. `time`: theirs, or null.
+  void begin(const WideRay& camera_rays, unsigned active, const Wide* time);
   /// The paths that lie above `open` others meet surfaces at distances t.
   void arrive(std::size_t open, const Wide3& direction, const Wide& t, WideShadingPoint& point);
   /// At the surfaces just met.

@@ -16,9 +16,10 @@ class PacketTracer {
  public:
   explicit PacketTracer(const RenderPlan& plan);
 
-  /// The radiance that arrives along camera rays of any length. `y`: as for Tracer, `sampler`: theirs.
-  Wide3 radiance(const Packet& camera, const Wide& y, const WideSampler& sampler, RayCounts& counts,
-                 const Candidates& sight);
+  /// The radiance that arrives along those camera rays (of any length) that are `active`. `time`:
+  /// theirs, null where nothing moves. `y`: as for Tracer, `sampler`: theirs.
+  Wide3 radiance(const WideRay& camera, unsigned active, const Wide* time, const Wide& y,
+                 const WideSampler& sampler, RayCounts& counts, const Candidates& sight);
 
  private:
   struct Path {
