@@ -6,8 +6,8 @@
 #include <chrono>
 #include <map>
 
+#include "rt/math/wide.h"
 #include "rt/render/adaptive.h"
-#include "rt/render/packet/packet_tracer.h"
 #include "rt/render/sample.h"
 #include "rt/render/thin.h"
 
@@ -15,7 +15,7 @@ namespace rt {
 namespace {
 
 /// Rows and columns of the rays that the cost is estimated from.
-constexpr int probes = 12;                    ///< across the picture, and down
+constexpr int probes = 24;                     ///< across the picture, and down
 constexpr std::uint32_t samples_of_probe = 8;  ///< neighbours go together
 
 std::string counted(std::size_t n, const std::string& what) {
