@@ -77,6 +77,9 @@ class PacketSamples : public ::testing::TestWithParam<test::PacketScene> {};
 
 TEST_P(PacketSamples, AreThoseTakenOneByOne) {
   for (const AccelChoice accel : searches) {
+    if (GetParam().name.starts_with("footprints") && accel != AccelChoice::automatic) {
+      continue;  // how rays are searched for does not show in their footprints
+    }
     RenderJob job = GetParam().job;
     job.options.accel = accel;
     const RenderPlan plan = make_plan(job);
