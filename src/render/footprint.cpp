@@ -38,14 +38,14 @@ double sample_spacing(const RenderOptions& options) {
   return std::min(1.0 / std::sqrt(std::min(4.0, 1.0 * options.max_samples)), narrow);
 }
 
-RayDifferential camera_differential(const RenderPlan& plan, const TraceRay& ray) {
+RayDifferential camera_differential(const RenderPlan& plan, double spacing, const TraceRay& ray) {
   const RenderOptions& options = plan.options;
   if (!plan.moving_camera) {
-    return camera_differential(plan.camera, options, ray.direction);
+    return camera_differential(plan.camera, options, spacing, ray.direction);
   }
   const double time = std::lerp(options.shutter_open, options.shutter_close, ray.time);
   return camera_differential(frame_of(at_time(*plan.moving_camera, time), options), options,
-                             ray.direction);
+                             spacing, ray.direction);
 }
 
 // A lobe of density ~ cos^e has E[sin^2] = 2 / (e + 3), half of it along each axis; the box of that
@@ -85,7 +85,7 @@ FootprintTrail::FootprintTrail(const RenderPlan& plan)
 
 void FootprintTrail::begin(const TraceRay& camera_ray) {
   open_.clear();
-  open_.push_back(camera_differential(plan_, camera_ray));
+  open_.push_back(camera_differential(plan_, spacing_, camera_ray));
 }
 
 void FootprintTrail::arrive(std::size_t open, const TraceRay& ray, double t, ShadingPoint& point) {

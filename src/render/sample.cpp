@@ -55,8 +55,9 @@ std::optional<Rgb> PixelSampler::take_at(int x, int y, const Vec2& offset, const
   const double px = (x + offset.x) / plan.options.width;
   const double py = (y + offset.y) / plan.options.height;
   // Filters reach beyond the picture's edge; the background's gradient does not.
-  const Rgb value = tracer_.radiance(camera_ray(plan, px, py, sample), std::clamp(py, 0.0, 1.0), sample, statistics.rays,
-                                     sight_.through(x + offset.x, y + offset.y));
+  const Rgb value =
+      tracer_.radiance(camera_ray(plan, px, py, sample), std::clamp(py, 0.0, 1.0), sample,
+                       statistics.rays, sight_.through(x + offset.x, y + offset.y));
   ++statistics.samples;
   if (!all_finite(value)) {
     statistics.add_bad(x, y);

@@ -209,13 +209,14 @@ double opacity_at(const RenderPlan& plan, const TraceRay& ray, const SceneHit& h
   if (!material.textures || !(*material.textures)[TextureSlot::opacity].texture) {
     return material.opacity;
   }
-  const PlacementAt placement(plan, plan.instances[hit.instance], ray.time);
+  const PlannedInstance& instance = plan.instances[hit.instance];
+  const Placement placement = plan.placements.at(instance.map, instance.placement, ray.time);
   const SurfacePoint p = model_point(plan, ray, hit);
   // A disc of that width, whatever way the surface is turned.
   const Vec3 any = std::abs(p.normal.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 0, 1);
   const Vec3 side = glm::normalize(glm::cross(p.normal, any));
   const double in_model =
-      width * std::cbrt(std::abs(glm::determinant(placement->model_from_render.linear)));
+      width * std::cbrt(std::abs(glm::determinant(placement.model_from_render.linear)));
   TexturePoint at(plan, hit, p, in_model * side, in_model * glm::cross(p.normal, side));
   return opacity_of(at, *material.textures, material);
 }

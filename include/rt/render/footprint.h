@@ -18,17 +18,16 @@ using NormalDifferential = NormalDifferentialOf<Vec3>;
 /// would show against max_error. The classic scheme counts its corners.
 double sample_spacing(const RenderOptions& options);
 
-/// Of a camera ray, whose direction is as CameraFrame gives it, not normalised.
+/// Of a camera ray, whose direction is as CameraFrame gives it, not normalised. `spacing`: of samples.
 template <class V>
 RayDifferentialOf<V> camera_differential(const CameraFrame& camera, const RenderOptions& options,
-                                         const V& direction) {
-  const double spacing = sample_spacing(options);
+                                         double spacing, const V& direction) {
   return {V(0.0), V(0.0), unit_change(direction, V(2.0 * spacing / options.width * camera.right)),
           unit_change(direction, V(2.0 * spacing / options.height * camera.down))};
 }
 
 /// Of a camera ray, not normalised, where the camera may move.
-RayDifferential camera_differential(const RenderPlan& plan, const TraceRay& ray);
+RayDifferential camera_differential(const RenderPlan& plan, double spacing, const TraceRay& ray);
 
 /// Of a direction drawn from a lobe about the perfect one: in any direction at least as wide as the
 /// share of the lobe that one of the samples stands for.

@@ -185,18 +185,6 @@ Bounds model_box_of(const RenderPlan& plan, const PlannedInstance& instance);
 /// The instance's box in render space; where it moves, for all times.
 Bounds box_of(const RenderPlan& plan, const PlannedInstance& instance);
 
-/// Where an instance is at a time.
-class PlacementAt {
- public:
-  PlacementAt(const RenderPlan& plan, const PlannedInstance& instance, double time)
-      : placement_(plan.placements.at(instance.map, instance.placement, time)) {}
-  const Placement& operator*() const { return placement_; }
-  const Placement* operator->() const { return &placement_; }
-
- private:
-  Placement placement_;
-};
-
 /// Compiles a job. The job's options are those in force.
 RenderPlan make_plan(const RenderJob& job);
 

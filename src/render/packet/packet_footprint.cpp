@@ -55,12 +55,13 @@ PacketFootprints::PacketFootprints(const RenderPlan& plan)
 
 void PacketFootprints::begin(const WideRay& camera_rays, unsigned active, const Wide* time) {
   open_.clear();
-  open_.push_back(camera_differential(plan_.camera, plan_.options, camera_rays.direction));
+  open_.push_back(
+      camera_differential(plan_.camera, plan_.options, spacing_, camera_rays.direction));
   if (plan_.moving_camera) {
     each_lane(active, [&](int i) {
       TraceRay ray{camera_rays.origin.lane(i), camera_rays.direction.lane(i)};
       ray.time = (*time)[static_cast<std::size_t>(i)];
-      set_lane(open_.back(), i, camera_differential(plan_, ray));
+      set_lane(open_.back(), i, camera_differential(plan_, spacing_, ray));
     });
   }
 }

@@ -24,27 +24,30 @@ Wide error_in_model(const Map& map, const Packet& packet) {
   return stretch * packet.position_error + gamma(Map::roundings) * reach;
 }
 
-/// Of shapes that are asked one by one: the lanes that may cross.
-WideHit meet_box(const RenderPlan& plan, const PlannedInstance& instance, const Packet& packet,
-                 const Wide& t_max) {
-  return plan.map(instance, 0.0, [&](const auto& map) -> WideHit {
-    return {WideMask(false),
-            may_meet(model_box_of(plan, instance), model_rays(map, packet.ray), t_max,
-                     error_in_model(map, packet)),
-            Wide(0.0), Wide(0.0)};
+/// The lanes that may cross the instance's box.
+WideMask meet_box(const RenderPlan& plan, const PlannedInstance& instance, const Packet& packet,
+                  const Wide& t_max) {
+  return plan.map(instance, 0.0, [&](const auto& map) {
+    return may_meet(model_box_of(plan, instance), model_rays(map, packet.ray), t_max,
+                    error_in_model(map, packet));
   });
 }
 
-/// The crossings of lanes that start elsewhere.
-[[gnu::noinline]] WideHit meet(const RenderPlan& plan, const PlannedInstance& instance, const Packet& packet,
-             const Wide& t_max) {
+/// What is left to be asked one by one.
+WideHit undecided_in(const WideMask& lanes_left) {
+  return {WideMask(false), lanes_left, Wide(0.0), Wide(0.0)};
+}
+
+/// The crossings of lanes that start elsewhere. Not inlined: see below.
+[[gnu::noinline]] WideHit meet(const RenderPlan& plan, const PlannedInstance& instance,
+                               const Packet& packet, const Wide& t_max) {
   return plan.visit(instance, [&](const auto& shape) -> WideHit {
     if constexpr (WideShape<std::decay_t<decltype(shape)>>) {
       return plan.map(instance, 0.0, [&](const auto& map) {
         return intersect(shape, model_rays(map, packet.ray), t_max, error_in_model(map, packet));
       });
     } else {
-      return meet_box(plan, instance, packet, t_max);
+      return undecided_in(meet_box(plan, instance, packet, t_max));
     }
   });
 }
@@ -68,7 +71,7 @@ WideHit meet_again(const RenderPlan& plan, const PlannedInstance& instance, cons
     });
     gone &= packet.outward;
   }
-  return {WideMask(false), mask_of(~gone & all_lanes), Wide(0.0), Wide(0.0)};
+  return undecided_in(mask_of(~gone & all_lanes));
 }
 
 /// The triangles of a mesh that lanes cross first, or any.
@@ -152,12 +155,6 @@ WideHit meet_mesh(const RenderPlan& plan, const PlannedInstance& instance, const
   });
 }
 
-/// The crossings of an instance that is elsewhere for every lane. `again`: as above.
-WideHit meet_moving(const PlannedInstance& instance, const Packet& packet, unsigned again) {
-  const unsigned gone = instance.convex ? again & packet.outward : 0;
-  return {WideMask(false), mask_of(~gone & all_lanes), Wide(0.0), Wide(0.0)};
-}
-
 /// Asks the lanes of `bits` one by one where the answer is undecided.
 [[gnu::always_inline]] inline void decide(const RenderPlan& plan, std::uint32_t id,
                                           const Packet& packet, unsigned bits, const Wide& t_max,
@@ -177,7 +174,8 @@ WideHit meet_moving(const PlannedInstance& instance, const Packet& packet, unsig
   found.hit = mask_of(hit);
 }
 
-/// Of what is met by searching it, or elsewhere by every lane.
+/// Of a mesh, which is searched, and of what moves, which is elsewhere for every lane. Not inlined:
+/// it would make the way of all others longer (bench/NOTES.md).
 [[gnu::noinline]] WideHit crossings_of_mesh_or_moving(const RenderPlan& plan, std::uint32_t id,
                                                       const Packet& packet, unsigned bits,
                                                       const Wide& t_max, bool any) {
@@ -186,9 +184,10 @@ WideHit meet_moving(const PlannedInstance& instance, const Packet& packet, unsig
   if (!instance.moves() && plan.mesh_trees[instance.shape] && std::popcount(bits) > 1) {
     return meet_mesh(plan, instance, packet, bits, again, t_max, any);
   }
-  WideHit found = instance.moves() ? meet_moving(instance, packet, again)
-                                   : meet_box(plan, instance, packet, t_max);
-  found.undecided = found.undecided || mask_of(instance.moves() ? 0U : again);
+  const unsigned near =
+      instance.moves() ? bits : bits_of(meet_box(plan, instance, packet, t_max)) | again;
+  WideHit found = undecided_in(
+      mask_of(near & ~gone_for_good(plan, id, packet.instance, packet.outward)));
   decide(plan, id, packet, bits, t_max, found);
   return found;
 }

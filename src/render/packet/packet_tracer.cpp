@@ -1,7 +1,6 @@
 #include "rt/render/packet/packet_tracer.h"
 
 #include "rt/math/wide_functions.h"
-#include "rt/render/medium.h"
 #include "rt/render/packet/packet_query.h"
 #include "rt/render/packet/packet_texture.h"
 #include "rt/render/tracer.h"
@@ -53,8 +52,7 @@ struct PacketTracer::Surfaces {
   const Path& path;
   WideShadingPoint point;
   WideLook look;
-  Wide n1{1.0}, n2{1.0};      ///< indices before and behind what is transmissive
-  Ids before{no_instance};  ///< the medium there, and where any absorbs that before all others
+  WideMedia media;
 
   const Wide3& direction() const { return path.packet.ray.direction; }
 };
@@ -116,10 +114,7 @@ void PacketTracer::follow(Path& path) {
 
 void PacketTracer::miss(Path& path, unsigned bits) {
   if (plan_.absorbs) {
-    each_lane(bits, [&](int i) {
-      path.throughput.set(i, path.throughput.lane(i) *
-                                 transmittance_beyond(plan_, path.packet.lane(i)));
-    });
+    absorb_beyond(plan_, path.packet, bits, path.throughput);
   }
   const Background& b = plan_.options.background;
   const Wide3 sky = Wide3(b.top) * (1.0 - y_) + Wide3(b.bottom) * y_;
@@ -145,16 +140,16 @@ void PacketTracer::shade(Path& path, const PacketHits& hits, unsigned bits) {
       resolve_textures(at, hits, id, same);
     }
     if (material.transmissive) {
-      displaced |= find_media(at, id, material, same);
+      displaced |= find_media(plan_, id, at.point, at.direction(), same, at.media);
     } else {
       mirrors |= material.lobe ? 0 : same;
-      if (plan_.absorbs && !plan_.media_about(id).empty()) {
-        find_medium(at, same);
+      if (plan_.absorbs) {
+        find_medium_before(plan_, id, at.point, at.direction(), same, at.media);
       }
     }
   });
   if (plan_.absorbs) {
-    absorb(path, at, hits.t, bits);
+    absorb(plan_, at.media, hits.t, bits, path.throughput);
   }
   const bool deepest = path.depth >= plan_.options.max_depth;
   if (displaced != 0 && !deepest) {
@@ -193,47 +188,6 @@ void PacketTracer::resolve_textures(Surfaces& at, const PacketHits& hits, std::u
   at.look.opacity = select(mask, r.opacity, at.look.opacity);
 }
 
-/// The indices before and behind the surface of `id`; the lanes where another medium displaces its
-/// own.
-unsigned PacketTracer::find_media(Surfaces& at, std::uint32_t id, const PlannedMaterial& material,
-                                  unsigned bits) {
-  const std::span<const std::uint32_t> candidates = plan_.media_about(id);
-  if (candidates.size() == 1 && candidates[0] == id) {
-    // The usual case: nothing transmissive is near but the solid itself.
-    const WideMask here = mask_of(bits);
-    const WideMask from_outside = mask_of(at.point.from_outside);
-    at.n1 = select(here, select(from_outside, Wide(1.0), Wide(material.ior)), at.n1);
-    at.n2 = select(here, select(from_outside, Wide(material.ior), Wide(1.0)), at.n2);
-    each_lane(bits & ~at.point.from_outside,
-              [&](int i) { at.before[static_cast<std::size_t>(i)] = id; });
-    return 0;
-  }
-  unsigned displaced = 0;
-  each_lane(bits, [&](int i) {
-    const auto l = static_cast<std::size_t>(i);
-    const Media media = media_about(plan_, at.point.lane(i), at.direction().lane(i));
-    displaced |= static_cast<unsigned>(hides(plan_, media, id)) << i;
-    at.before[l] = media.before;
-    at.n1[l] = index_of(plan_, media.before);
-    at.n2[l] = index_of(plan_, media.behind);
-  });
-  return displaced;
-}
-
-void PacketTracer::find_medium(Surfaces& at, unsigned bits) {
-  each_lane(bits, [&](int i) {
-    at.before[static_cast<std::size_t>(i)] =
-        medium_ahead(plan_, at.point.lane(i), -at.direction().lane(i));
-  });
-}
-
-void PacketTracer::absorb(Path& path, const Surfaces& at, const Wide& t, unsigned bits) {
-  each_lane(bits & ~lanes_where(at.before, no_instance), [&](int i) {
-    const auto l = static_cast<std::size_t>(i);
-    path.throughput.set(i, path.throughput.lane(i) * transmittance(plan_, at.before[l], t[l]));
-  });
-}
-
 Wide3 PacketTracer::surface(const Surfaces& at, unsigned bits) {
   const WidePhong phong{at.look.kd * at.look.opacity, at.look.ks, at.look.shininess,
                         at.look.least_r_dot_v};
@@ -253,7 +207,7 @@ Wide3 PacketTracer::surface(const Surfaces& at, unsigned bits) {
 void PacketTracer::scatter_glass(Scatter& at) {
   const Surfaces& from = at.from;
   const Wide cos_i = min(Wide(1.0), abs(dot(from.direction(), from.point.shading_normal)));
-  const Wide f = fresnel(cos_i, from.n1, from.n2);
+  const Wide f = fresnel(cos_i, from.media.n1, from.media.n2);
   divide(at, plan_.options.reflection ? f : Wide(0.0), (1.0 - from.look.opacity) * (1.0 - f));
 }
 
@@ -313,12 +267,15 @@ void PacketTracer::transmit(const Scatter& at, unsigned bits, const Wide3& throu
     return;
   }
   WideMask through;
-  Wide3 ahead = refract(at.from.direction(), at.from.point.shading_normal, at.from.n1, at.from.n2, through);
+  const WideMedia& media = at.from.media;
+  Wide3 ahead = refract(at.from.direction(), at.from.point.shading_normal, media.n1, media.n2,
+                        through);
   bits &= bits_of(through);
   // On meshes a shading normal may send a ray back out; then the geometric one decides.
   if (const unsigned back = bits & ~bits_of(dot(ahead, at.from.point.normal) < 0.0)) {
     WideMask geometric;
-    const Wide3 straight = refract(at.from.direction(), at.from.point.normal, at.from.n1, at.from.n2, geometric);
+    const Wide3 straight =
+        refract(at.from.direction(), at.from.point.normal, media.n1, media.n2, geometric);
     ahead = select(mask_of(back), select(geometric, straight, at.from.direction()), ahead);
   }
   if (bits == 0) {
@@ -378,7 +335,7 @@ void PacketTracer::push(const Scatter& at, unsigned bits, const Wide3& direction
       static_cast<unsigned>(std::popcount(bits));
   if (footprints_) {
     footprints_->branch(at.from.point, bits, at.from.direction(), direction, outward,
-                        at.from.n1 / at.from.n2, drawn ? at.lobe : nullptr);
+                        at.from.media.n1 / at.from.media.n2, drawn ? at.lobe : nullptr);
   }
   open_.push_back({leave(at.from.point, direction, bits), throughput, vertex, at.from.path.depth + 1});
 }

@@ -5,13 +5,14 @@
 
 #include "rt/render/accel/candidates.h"
 #include "rt/render/packet/packet_footprint.h"
+#include "rt/render/packet/packet_medium.h"
 #include "rt/render/packet/packet_shading.h"
 
 namespace rt {
 
 /// Follows the paths of as many samples as a register holds doubles. What they meet is lit together,
-/// whatever it is; where they part in glass, the packet divides. Each sample's radiance is that of Tracer, bit for
-/// bit: the same operations in the same order.
+/// whatever it is; where they part in glass, the packet divides. Each sample's radiance is that of
+/// Tracer, bit for bit: the same operations in the same order.
 class PacketTracer {
  public:
   explicit PacketTracer(const RenderPlan& plan);
@@ -35,10 +36,6 @@ class PacketTracer {
   void miss(Path& path, unsigned bits);
   void shade(Path& path, const PacketHits& hits, unsigned bits);
   void resolve_textures(Surfaces& at, const PacketHits& hits, std::uint32_t id, unsigned bits);
-  unsigned find_media(Surfaces& at, std::uint32_t id, const PlannedMaterial& material,
-                      unsigned bits);
-  void find_medium(Surfaces& at, unsigned bits);
-  void absorb(Path& path, const Surfaces& at, const Wide& t, unsigned bits);
   Wide3 surface(const Surfaces& at, unsigned bits);
   void scatter_glass(Scatter& at);
   void divide(Scatter& at, const Wide& reflected, const Wide& transmitted);
