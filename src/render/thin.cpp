@@ -1,10 +1,12 @@
 #include "rt/render/thin.h"
-#include <memory>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
+#include "parallel.h"
 #include "rt/math/warp.h"
+#include "rt/render/accel/box_list.h"
 #include "rt/render/accel/box_tree.h"
 #include "rt/render/query.h"
 #include "rt/render/shading.h"
@@ -31,11 +33,9 @@ constexpr double farther = 4.0;
 /// An edge of no length is taken for so much of the longest: enough to have an inverse.
 constexpr double flat = 1e-9;
 
-using Edges = std::array<Vec3, 3>;
-
 /// The least width of a box (half-edges e) as seen in a unit direction. Its outline is spanned by
 /// the projected edges; the least width is that across one of them.
-double apparent_width(const Edges& e, const Vec3& direction) {
+double apparent_width(const ThinBox::Edges& e, const Vec3& direction) {
   double least = inf;
   for (const Vec3& along : e) {
     const Vec3 across = glm::cross(along, direction);
@@ -52,20 +52,20 @@ double apparent_width(const Edges& e, const Vec3& direction) {
 }
 
 /// The area of a box as seen in a unit direction.
-double apparent_area(const Edges& e, const Vec3& direction) {
+double apparent_area(const ThinBox::Edges& e, const Vec3& direction) {
   return 4.0 * (std::abs(glm::dot(glm::cross(e[0], e[1]), direction)) +
                 std::abs(glm::dot(glm::cross(e[1], e[2]), direction)) +
                 std::abs(glm::dot(glm::cross(e[2], e[0]), direction)));
 }
 
 /// The share of a disc that a box covers which is narrower than the disc, and perhaps longer.
-double covered(const Edges& e, const Vec3& direction, double radius) {
+double covered(const ThinBox::Edges& e, const Vec3& direction, double radius) {
   const double width = apparent_width(e, direction);
   const double length = apparent_area(e, direction) / width;
   return width * std::min(length, 2.0 * radius) / (pi * radius * radius);
 }
 
-Edges thickened(Edges e) {
+ThinBox::Edges thickened(ThinBox::Edges e) {
   const double longest = std::max({glm::length(e[0]), glm::length(e[1]), glm::length(e[2])});
   for (std::size_t k = 0; k < 3; ++k) {
     if (glm::length(e[k]) <= flat * longest) {
@@ -77,25 +77,20 @@ Edges thickened(Edges e) {
   return e;
 }
 
-/// The boxes that stand for an instance: one, or for a ring one an arc.
-struct Parts {
-  std::vector<std::pair<Vec3, Edges>> boxes;
+ThinBox image(const Affine& map, const Bounds& b) {
+  const Vec3 half = 0.5 * b.extent();
+  return {map.point(b.centre()),
+          thickened({half.x * map.linear[0], half.y * map.linear[1], half.z * map.linear[2]})};
+}
 
-  void add(const Affine& map, const Bounds& b) {
-    const Vec3 half = 0.5 * b.extent();
-    boxes.emplace_back(
-        map.point(b.centre()),
-        thickened({half.x * map.linear[0], half.y * map.linear[1], half.z * map.linear[2]}));
-  }
-};
-
-Parts parts_of(const RenderPlan& plan, const PlannedInstance& instance) {
-  Parts parts;
+/// Calls visit(box) for the boxes that stand for an instance: one, or for a ring one an arc.
+template <class Visit>
+void each_part(const RenderPlan& plan, const PlannedInstance& instance, Visit&& visit) {
   const Affine map = plan.placement(instance).render_from_model;
   const Torus* torus = instance.is<Torus>() ? &plan.shapes.of<Torus>()[instance.shape] : nullptr;
   if (torus == nullptr || torus->minor_radius > 0.25 * torus->major_radius) {
-    parts.add(map, model_box_of(plan, instance));
-    return parts;
+    visit(image(map, model_box_of(plan, instance)));
+    return;
   }
   // Arcs so short that they bend by no more than the tube is thick.
   const double R = torus->major_radius;
@@ -104,10 +99,9 @@ Parts parts_of(const RenderPlan& plan, const PlannedInstance& instance) {
   const double half = pi / arcs;
   for (int i = 0; i < arcs; ++i) {
     const Affine turn = Affine::rotation(1, (2.0 * i + 1.0) * half * 180.0 / pi);
-    parts.add(map * turn, {{R * std::cos(half) - r, -r, -(R + r) * std::sin(half)},
-                           {R + r, r, (R + r) * std::sin(half)}});
+    visit(image(map * turn, {{R * std::cos(half) - r, -r, -(R + r) * std::sin(half)},
+                             {R + r, r, (R + r) * std::sin(half)}}));
   }
-  return parts;
 }
 
 /// The size of a pixel at distance 1.
@@ -115,25 +109,105 @@ double pixel_size(const RenderPlan& plan) {
   return 2.0 * glm::length(plan.camera.down) / plan.options.height;
 }
 
-void add_parts(const RenderPlan& plan, const Parts& parts, bool casts, ThinThings& thin) {
-  const double pixel = pixel_size(plan);
-  for (const auto& [centre, edges] : parts.boxes) {
-    const double reach = glm::length(edges[0]) + glm::length(edges[1]) + glm::length(edges[2]);
-    const double distance = glm::length(centre);
-    const double there = pixel * (distance + reach);  // a pixel at its far end
-    if (distance > 0.0 && apparent_width(edges, centre / distance) < wide * there) {
-      thin.in_sight.add(centre, edges, beam_pixels * there);
-    }
-    const auto thin_for = [&, &centre = centre, &edges = edges](const PlannedLight& light) {
-      const Vec3 way = centre - light.position;
-      const double d = glm::length(way);
-      return !light.extended() && d > 0.0 &&
-             apparent_width(edges, way / d) < wide * farther * there;
+/// Of a pixel at the box's far end.
+double pixel_beyond(const RenderPlan& plan, const ThinBox& box) {
+  return pixel_size(plan) * (glm::length(box.centre) + box.reach());
+}
+
+bool thin_in_sight(const RenderPlan& plan, const ThinBox& box) {
+  const double distance = glm::length(box.centre);
+  return distance > 0.0 && apparent_width(box.edges, box.centre / distance) <
+                               wide * pixel_beyond(plan, box);
+}
+
+bool thin_as_shadow(const RenderPlan& plan, const ThinBox& box) {
+  const double width = wide * farther * pixel_beyond(plan, box);
+  return std::any_of(plan.lights.begin(), plan.lights.end(), [&](const PlannedLight& light) {
+    const Vec3 way = box.centre - light.position;
+    const double d = glm::length(way);
+    return !light.extended() && d > 0.0 && apparent_width(box.edges, way / d) < width;
+  });
+}
+
+bool thin_as(ThinKind kind, const RenderPlan& plan, const ThinBox& box) {
+  return kind == ThinKind::in_sight ? thin_in_sight(plan, box) : thin_as_shadow(plan, box);
+}
+
+std::uint8_t kinds_of(const RenderPlan& plan, const PlannedInstance& instance) {
+  unsigned kinds = 0;
+  if (!instance.moves()) {  // what moves is a blur anyway
+    const auto look = [&](ThinKind kind, const ThinBox& box) {
+      const auto bit = static_cast<unsigned>(kind);
+      kinds |= (kinds & bit) == 0 && thin_as(kind, plan, box) ? bit : 0;
     };
-    if (casts && std::any_of(plan.lights.begin(), plan.lights.end(), thin_for)) {
-      thin.as_shadows.add(centre, edges, beam_pixels * farther * there);
+    each_part(plan, instance, [&](const ThinBox& box) {
+      look(ThinKind::in_sight, box);
+      if (instance.shadow == Shadow::blocks) {
+        look(ThinKind::as_shadow, box);
+      }
+    });
+  }
+  return static_cast<std::uint8_t>(kinds);
+}
+
+/// Calls visit(instance) -> bool for all whose boxes the beam may meet before t_max, and perhaps
+/// others, until that is false.
+template <class Boxes, class Visit>
+void each_along(const RenderPlan& plan, const Boxes& boxes, const Beam& beam, double t_max,
+                Visit&& visit) {
+  const BoxSpace& space = boxes.space();
+  const double edge = 1.0 / space.per_unit();  // half of the cube's about all boxes
+  const Vec3 to_centre = space.centre() - beam.axis.origin;
+  const double middle = glm::dot(to_centre, beam.axis.direction);
+  const double radius = std::max(beam.radius_at(0.0), beam.radius_at(middle));
+  if (radius <= edge && std::abs(beam.slope) <= 0.125) {
+    // A section that meets the cube, |p(t) - centre| <= edge + r(t) along each axis, has
+    // |t - middle| <= 3^(1/2) (edge + radius + |t - middle| / 8), below this; so has its distance.
+    const double near = 2.5 * (edge + radius);
+    const double begin = std::max(0.0, middle - near);
+    const double end = std::min(t_max, middle + near);
+    if (begin > end ||
+        glm::length(to_centre - middle * beam.axis.direction) > near) {
+      return;
+    }
+    if (boxes.each_in({beam.cube_at(begin), beam.cube_at(end)}, visit)) {
+      return;
     }
   }
+  for (std::uint32_t id = 0; id < plan.bounded && visit(id); ++id) {
+  }
+}
+
+/// Shares of a disc are added up in whole numbers of such units: then their order does not matter.
+constexpr double unit_share = 0x1p-60;
+
+/// How much of a disc of the beam's radius the thin things that it meets before t_max cover, each as
+/// seen along the beam, all together, or `whole` where it is more; 0 when it meets none.
+double coverage(const RenderPlan& plan, ThinKind kind, const Beam& beam, double t_max) {
+  if ((plan.thin->any & static_cast<unsigned>(kind)) == 0) {
+    return 0.0;
+  }
+  constexpr auto all = static_cast<std::uint64_t>(whole / unit_share);
+  std::uint64_t sum = 0;
+  const auto add = [&](std::uint32_t id) {
+    const PlannedInstance& instance = plan.instances[id];
+    // What walks find beyond the boxes that are met differs.
+    if (plan.thin->is(kind, id) && beam.meets(box_of(plan, instance), t_max)) {
+      each_part(plan, instance, [&](const ThinBox& box) {
+        if (sum < all && thin_as(kind, plan, box)) {
+          sum += static_cast<std::uint64_t>(std::min(whole, box.coverage(beam, t_max)) / unit_share);
+        }
+      });
+    }
+    return sum < all;
+  };
+  const auto look = [&](const auto& boxes) { each_along(plan, boxes, beam, t_max, add); };
+  if (plan.tree) {
+    look(*plan.tree);
+  } else {
+    look(plan.list ? *plan.list : *plan.thin->boxes);
+  }
+  return static_cast<double>(std::min(sum, all)) * unit_share;
 }
 
 /// What so much of a beam's disc asks for.
@@ -149,73 +223,88 @@ int pilots_for(double coverage) {
 
 }  // namespace
 
-ThinBoxes::ThinBoxes() = default;
-ThinBoxes::~ThinBoxes() = default;
+double Beam::radius_at(double t) const { return std::max(radius + slope * t, 0.0); }
 
-void ThinBoxes::add(const Vec3& centre, const Edges& edges, double largest_beam) {
+Bounds Beam::cube_at(double t) const {
+  const Vec3 centre = axis.origin + t * axis.direction;
+  return {centre - radius_at(t), centre + radius_at(t)};
+}
+
+bool Beam::meets(const Bounds& box, double t_max) const {
+  double t0 = 0.0;
+  double t1 = t_max;
+  const auto narrow = [&](double p, double q) {  // to where p + q t <= 0
+    if (q > 0.0) {
+      t1 = std::min(t1, -p / q);
+    } else if (q < 0.0) {
+      t0 = std::max(t0, -p / q);
+    } else if (p > 0.0) {
+      t1 = -1.0;
+    }
+  };
+  for (int k = 0; k < 3; ++k) {
+    narrow(box.lo[k] - radius - axis.origin[k], -axis.direction[k] - slope);
+    narrow(axis.origin[k] - radius - box.hi[k], axis.direction[k] - slope);
+  }
+  return t0 <= t1;
+}
+
+double ThinBox::reach() const {
+  return glm::length(edges[0]) + glm::length(edges[1]) + glm::length(edges[2]);
+}
+
+double ThinBox::coverage(const Beam& beam, double t_max) const {
   const double volume = glm::dot(edges[0], glm::cross(edges[1], edges[2]));
   if (volume == 0.0) {
-    return;  // flat twice over: nothing to see
+    return 0.0;  // flat twice over: nothing to see
   }
-  Box box{centre, edges, {}};
-  Vec3 half(largest_beam);
+  const Vec3 to_centre = centre - beam.axis.origin;
+  const double nearest = glm::dot(to_centre, beam.axis.direction);
+  // The box grows by the beam's radius at its far end; then the axis meets it or not.
+  const double grown = beam.radius_at(nearest + std::copysign(reach(), beam.slope));
+  double t0 = 0.0;
+  double t1 = t_max;
   for (std::size_t k = 0; k < 3; ++k) {
-    box.normals[k] = glm::cross(edges[(k + 1) % 3], edges[(k + 2) % 3]) / volume;
-    half += glm::abs(edges[k]);
+    // Products with it are coordinates in units of the edge.
+    const Vec3 normal = glm::cross(edges[(k + 1) % 3], edges[(k + 2) % 3]) / volume;
+    const double o = -glm::dot(to_centre, normal);
+    const double d = glm::dot(beam.axis.direction, normal);
+    const double half = 1.0 + grown * glm::length(normal);
+    const double a = (-half - o) / d;
+    const double b = (half - o) / d;
+    t0 = std::max(t0, std::min(a, b));
+    t1 = std::min(t1, std::max(a, b));
   }
-  boxes_.push_back(box);
-  bounds_.push_back({centre - half, centre + half});
-}
-
-void ThinBoxes::build() {
-  if (!boxes_.empty()) {
-    tree_ = std::make_unique<BoxTree>(bounds_);
-  }
-}
-
-double ThinBoxes::coverage(const Beam& beam, double t_max) const {
-  double sum = 0.0;
-  tree_->walk(beam.axis, t_max, [&](std::uint32_t i) {
-    const Box& box = boxes_[i];
-    const Vec3 to_centre = box.centre - beam.axis.origin;
-    const double nearest = glm::dot(to_centre, beam.axis.direction);
-    const double reach =
-        glm::length(box.edges[0]) + glm::length(box.edges[1]) + glm::length(box.edges[2]);
-    // The box grows by the beam's radius at its far end; then the axis meets it or not.
-    const double radius =
-        std::max(beam.radius + beam.slope * (nearest + std::copysign(reach, beam.slope)), 0.0);
-    double t0 = 0.0;
-    double t1 = t_max;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double o = -glm::dot(to_centre, box.normals[k]);
-      const double d = glm::dot(beam.axis.direction, box.normals[k]);
-      const double half = 1.0 + radius * glm::length(box.normals[k]);
-      const double a = (-half - o) / d;
-      const double b = (half - o) / d;
-      t0 = std::max(t0, std::min(a, b));
-      t1 = std::min(t1, std::max(a, b));
-    }
-    if (t0 <= t1) {
-      const double here = beam.radius + beam.slope * 0.5 * (t0 + t1);
-      if (here > 0.0) {
-        sum += covered(box.edges, beam.axis.direction, here);
-      }
-    }
-    return t_max;
-  });
-  return sum;
+  const double here = t0 <= t1 ? beam.radius_at(0.5 * (t0 + t1)) : 0.0;
+  return here > 0.0 ? covered(edges, beam.axis.direction, here) : 0.0;
 }
 
 std::unique_ptr<const ThinThings> find_thin(const RenderPlan& plan) {
   auto thin = std::make_unique<ThinThings>();
-  for (const PlannedInstance& instance : std::span(plan.instances).first(plan.bounded)) {
-    if (!instance.moves()) {  // what moves is a blur anyway
-      add_parts(plan, parts_of(plan, instance), instance.shadow == Shadow::blocks, *thin);
+  thin->kinds.resize(plan.bounded);
+  std::atomic<unsigned> any = 0;
+  constexpr std::size_t block = 4096;
+  for_each_index((plan.bounded + block - 1) / block, [&](std::size_t part) {
+    const std::size_t end = std::min<std::size_t>(plan.bounded, (part + 1) * block);
+    unsigned found = 0;
+    for (std::size_t id = part * block; id < end; ++id) {
+      thin->kinds[id] = kinds_of(plan, plan.instances[id]);
+      found |= thin->kinds[id];
     }
+    any |= found;
+  });
+  thin->any = any;
+  if (thin->any == 0) {
+    return nullptr;
   }
-  thin->in_sight.build();
-  thin->as_shadows.build();
-  return thin->in_sight.empty() && thin->as_shadows.empty() ? nullptr : std::move(thin);
+  if (!plan.tree && !plan.list) {
+    std::vector<Bounds> boxes;
+    for (std::uint32_t id = 0; id < plan.bounded; ++id) {
+      boxes.push_back(box_of(plan, plan.instances[id]));
+    }
+    thin->boxes = std::make_unique<const BoxList>(boxes);
+  }
+  return thin;
 }
 
 int thin_pilots(const RenderPlan& plan, int x, int y) {
@@ -224,12 +313,9 @@ int thin_pilots(const RenderPlan& plan, int x, int y) {
   const TraceRay ray{Vec3(0.0), direction};
   const double pixel = pixel_size(plan);
   const auto hit = closest_hit(plan, ray);
-  int pilots = 0;
-  if (!plan.thin->in_sight.empty()) {
-    const Beam beam{{ray.origin, direction}, 0.0, beam_pixels * pixel};
-    pilots = pilots_for(plan.thin->in_sight.coverage(beam, hit ? hit->t : inf));
-  }
-  if (!hit || plan.thin->as_shadows.empty()) {
+  const Beam sight{{ray.origin, direction}, 0.0, beam_pixels * pixel};
+  int pilots = pilots_for(coverage(plan, ThinKind::in_sight, sight, hit ? hit->t : inf));
+  if (!hit) {
     return pilots;
   }
   const ShadingPoint point = shading_point(plan, ray, *hit);
@@ -241,7 +327,8 @@ int thin_pilots(const RenderPlan& plan, int x, int y) {
     const double distance = glm::length(way);
     if (!light.extended() && glm::dot(way, point.normal) > 0.0) {
       const Beam beam{{point.position, way / distance}, radius, -radius / distance};
-      pilots = std::max(pilots, pilots_for(plan.thin->as_shadows.coverage(beam, distance)));
+      pilots = std::max(pilots,
+                        pilots_for(coverage(plan, ThinKind::as_shadow, beam, distance)));
     }
   }
   return pilots;

@@ -7,56 +7,62 @@
 /// Not found are thin things in mirrors and glass, single triangles of a mesh (which counts as one
 /// thing), and shadows from lights with an extent.
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "rt/math/bounds.h"
 #include "rt/math/ray.h"
+#include "rt/render/accel/box_list.h"
 
 namespace rt {
 
 struct RenderPlan;
-class BoxTree;
 
-/// A ray with a radius: r at its origin, changing evenly to r + slope t.
+/// A ray with a radius: r at its origin, changing evenly to r + slope t, never below 0.
 struct Beam {
   Ray axis;  ///< unit direction
   double radius;
   double slope;
+
+  double radius_at(double t) const;
+  /// A cube about its disc at t.
+  Bounds cube_at(double t) const;
+  /// Whether such a cube at some t up to t_max meets the box.
+  bool meets(const Bounds& box, double t_max) const;
 };
 
-/// Boxes in any position that may be met by beams.
-class ThinBoxes {
- public:
-  /// A box by its centre and half its edges, not parallel.
-  struct Box {
-    Vec3 centre;
-    std::array<Vec3, 3> edges;
-    std::array<Vec3, 3> normals;  ///< dot products with these are coordinates in units of the edges
-  };
+/// A box in any position, by its centre and half its edges.
+struct ThinBox {
+  using Edges = std::array<Vec3, 3>;
+  Vec3 centre;
+  Edges edges;
 
-  ThinBoxes();
-  ~ThinBoxes();
-  void add(const Vec3& centre, const std::array<Vec3, 3>& edges, double largest_beam);
-  void build();
-  bool empty() const { return boxes_.empty(); }
-
-  /// How much the boxes that the beam meets before t_max cover of a disc of its radius, each as
-  /// seen along the beam, all together; 0 when it meets none.
+  /// No corner is further from the centre.
+  double reach() const;
+  /// How much it covers of a disc of the beam's radius as seen along the beam, where that meets it
+  /// before t_max; else 0.
   double coverage(const Beam& beam, double t_max) const;
-
- private:
-  std::vector<Box> boxes_;
-  std::vector<Bounds> bounds_;  ///< with room for the largest beam
-  std::unique_ptr<const BoxTree> tree_;
 };
 
+enum class ThinKind : std::uint8_t { in_sight = 1, as_shadow = 2 };
+
+/// The thin things of a plan. A byte an instance: all else follows from the plan when a beam comes
+/// near one.
 struct ThinThings {
-  ThinBoxes in_sight;
-  ThinBoxes as_shadows;
+  std::vector<std::uint8_t> kinds;       ///< of each bounded instance, ThinKinds as bits
+  unsigned any = 0;                      ///< those that some instance is of
+  std::unique_ptr<const BoxList> boxes;  ///< of all bounded ones, where the plan has neither list nor tree
+
+  bool is(ThinKind kind, std::uint32_t instance) const {
+    return (kinds[instance] & static_cast<unsigned>(kind)) != 0;
+  }
+  std::size_t bytes() const {
+    return kinds.size() + (boxes ? boxes->groups().size() * sizeof(BoxGroup) : 0);
+  }
 };
 
-/// The thin things of a plan; null when it has none.
+/// Null when the plan has none.
 std::unique_ptr<const ThinThings> find_thin(const RenderPlan& plan);
 
 /// The pilots that pixel (x, y) should take for the sake of thin things; 0: none in particular.

@@ -5,6 +5,7 @@
 #include "rt/render/accel/box_tree.h"
 #include "rt/render/accel/grid.h"
 #include "rt/render/plan.h"
+#include "rt/render/thin.h"
 #include "scenes.h"
 
 namespace rt {
@@ -20,7 +21,8 @@ double bytes_each(const RenderPlan& plan) {
                           plan.materials.size() * sizeof(PlannedMaterial) +
                           plan.media.size() * sizeof(std::uint32_t) +
                           plan.media_ranges.size() * sizeof(plan.media_ranges[0]) +
-                          (plan.tree ? plan.tree->bytes() : 0);
+                          (plan.tree ? plan.tree->bytes() : 0) +
+                          (plan.thin ? plan.thin->bytes() : 0);
   return static_cast<double>(all) / static_cast<double>(plan.instances.size());
 }
 
@@ -110,6 +112,14 @@ RenderJob coloured(const Shape& shape) {
 
 TEST(PlanMemory, OfRingsTurnedAndColouredEachInItsWay) {
   EXPECT_LT(bytes_each(make_plan(coloured(Torus{}))), most_bytes);
+}
+
+TEST(PlanMemory, OfThinThings) {
+  RenderJob job = coloured(Torus{0.5, 0.001});
+  job.options.samples = 0;
+  const RenderPlan plan = make_plan(job);
+  ASSERT_NE(plan.thin, nullptr);
+  EXPECT_LT(bytes_each(plan), most_bytes);
 }
 
 TEST(PlanMemory, OfBallsWhoseTurnsDoNotShow) {
