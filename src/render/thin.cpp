@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numbers>
 
 #include "parallel.h"
 #include "rt/math/warp.h"
@@ -30,6 +31,8 @@ constexpr int most_pilots = 1024;
 constexpr double wide = 1.5;
 /// Shadows are looked for where pixels are at most so many times as large as at what casts them.
 constexpr double farther = 4.0;
+/// How much further off than its faces the corners of a square are.
+constexpr double corner = std::numbers::sqrt2;
 /// An edge of no length is taken for so much of the longest: enough to have an inverse.
 constexpr double flat = 1e-9;
 
@@ -188,11 +191,13 @@ double coverage(const RenderPlan& plan, ThinKind kind, const Beam& beam, double 
     return 0.0;
   }
   constexpr auto all = static_cast<std::uint64_t>(whole / unit_share);
+  // A box grown by the beam's radius has corners further off.
+  const Beam around{beam.axis, corner * beam.radius, corner * beam.slope};
   std::uint64_t sum = 0;
   const auto add = [&](std::uint32_t id) {
     const PlannedInstance& instance = plan.instances[id];
     // What walks find beyond the boxes that are met differs.
-    if (plan.thin->is(kind, id) && beam.meets(box_of(plan, instance), t_max)) {
+    if (plan.thin->is(kind, id) && around.meets(box_of(plan, instance), t_max)) {
       each_part(plan, instance, [&](const ThinBox& box) {
         if (sum < all && thin_as(kind, plan, box)) {
           sum += static_cast<std::uint64_t>(std::min(whole, box.coverage(beam, t_max)) / unit_share);
@@ -201,7 +206,7 @@ double coverage(const RenderPlan& plan, ThinKind kind, const Beam& beam, double 
     }
     return sum < all;
   };
-  const auto look = [&](const auto& boxes) { each_along(plan, boxes, beam, t_max, add); };
+  const auto look = [&](const auto& boxes) { each_along(plan, boxes, around, t_max, add); };
   if (plan.tree) {
     look(*plan.tree);
   } else {

@@ -85,11 +85,14 @@ Wide3 PacketTracer::radiance(const WideRay& camera, unsigned active, const Wide*
   if (footprints_) {
     footprints_->begin(camera, active, time);
   }
-  Path first{{{camera.origin, camera.direction * (1.0 / length(camera.direction))}, active},
-             Wide3(Wide(1.0)),
-             {},
-             0};
+  Path first;  // filled piece by piece: as an aggregate GCC clears all of it before
+  first.packet.ray.origin = camera.origin;
+  first.packet.ray.direction = camera.direction * (1.0 / length(camera.direction));
+  first.packet.active = active;
   first.packet.time = time;
+  first.throughput = Wide3(Wide(1.0));
+  first.vertex = {};
+  first.depth = 0;
   follow(first);
   while (!open_.empty()) {
     Path path = open_.back();
