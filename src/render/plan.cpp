@@ -74,6 +74,7 @@ class Planner {
     if (fixed_samples(plan_.options) == 0 && plan_.options.aa == AntiAliasing::adaptive) {
       plan_.thin = find_thin(plan_);
     }
+    make_shaft_list();
     return std::move(plan_);
   }
 
@@ -88,16 +89,17 @@ class Planner {
     return plan_.options.motion_blur && plan_.options.shutter_close > plan_.options.shutter_open;
   }
 
+  std::vector<Bounds> boxes() const {
+    std::vector<Bounds> all;
+    all.reserve(plan_.bounded);
+    for (std::uint32_t i = 0; i < plan_.bounded; ++i) {
+      all.push_back(box_of(plan_, plan_.instances[i]));
+    }
+    return all;
+  }
+
   void choose_search() {
     const auto box = [this](std::uint32_t i) { return box_of(plan_, plan_.instances[i]); };
-    const auto boxes = [&] {
-      std::vector<Bounds> all;
-      all.reserve(plan_.bounded);
-      for (std::uint32_t i = 0; i < plan_.bounded; ++i) {
-        all.push_back(box(i));
-      }
-      return all;
-    };
     switch (search_for(plan_.options, plan_.bounded)) {
       case Search::tree: {
         // Boxes are made again, not kept: ten million of them are half a gigabyte.
@@ -124,7 +126,11 @@ class Planner {
       case Search::one_by_one:
         break;
     }
-    if (extended_lights_ && !plan_.list && !plan_.tree && plan_.bounded > 0) {
+  }
+
+  /// What shafts ask where rays ask neither list nor hierarchy.
+  void make_shaft_list() {
+    if ((extended_lights_ || plan_.thin) && !plan_.list && !plan_.tree && plan_.bounded > 0) {
       plan_.shaft_list = std::make_unique<BoxList>(boxes());
     }
   }

@@ -187,9 +187,6 @@ constexpr double unit_share = 0x1p-60;
 /// How much of a disc of the beam's radius the thin things that it meets before t_max cover, each as
 /// seen along the beam, all together, or `whole` where it is more; 0 when it meets none.
 double coverage(const RenderPlan& plan, ThinKind kind, const Beam& beam, double t_max) {
-  if ((plan.thin->any & static_cast<unsigned>(kind)) == 0) {
-    return 0.0;
-  }
   constexpr auto all = static_cast<std::uint64_t>(whole / unit_share);
   // A box grown by the beam's radius has corners further off.
   const Beam around{beam.axis, corner * beam.radius, corner * beam.slope};
@@ -210,7 +207,7 @@ double coverage(const RenderPlan& plan, ThinKind kind, const Beam& beam, double 
   if (plan.tree) {
     look(*plan.tree);
   } else {
-    look(plan.list ? *plan.list : *plan.thin->boxes);
+    look(plan.list ? *plan.list : *plan.shaft_list);
   }
   return static_cast<double>(std::min(sum, all)) * unit_share;
 }
@@ -299,17 +296,7 @@ std::unique_ptr<const ThinThings> find_thin(const RenderPlan& plan) {
     any |= found;
   });
   thin->any = any;
-  if (thin->any == 0) {
-    return nullptr;
-  }
-  if (!plan.tree && !plan.list) {
-    std::vector<Bounds> boxes;
-    for (std::uint32_t id = 0; id < plan.bounded; ++id) {
-      boxes.push_back(box_of(plan, plan.instances[id]));
-    }
-    thin->boxes = std::make_unique<const BoxList>(boxes);
-  }
-  return thin;
+  return thin->any != 0 ? std::move(thin) : nullptr;
 }
 
 int thin_pilots(const RenderPlan& plan, int x, int y) {
@@ -318,9 +305,12 @@ int thin_pilots(const RenderPlan& plan, int x, int y) {
   const TraceRay ray{Vec3(0.0), direction};
   const double pixel = pixel_size(plan);
   const auto hit = closest_hit(plan, ray);
-  const Beam sight{{ray.origin, direction}, 0.0, beam_pixels * pixel};
-  int pilots = pilots_for(coverage(plan, ThinKind::in_sight, sight, hit ? hit->t : inf));
-  if (!hit) {
+  int pilots = 0;
+  if (plan.thin->has(ThinKind::in_sight)) {
+    const Beam beam{{ray.origin, direction}, 0.0, beam_pixels * pixel};
+    pilots = pilots_for(coverage(plan, ThinKind::in_sight, beam, hit ? hit->t : inf));
+  }
+  if (!hit || !plan.thin->has(ThinKind::as_shadow)) {
     return pilots;
   }
   const ShadingPoint point = shading_point(plan, ray, *hit);

@@ -122,8 +122,8 @@ struct RenderPlan {
   std::unique_ptr<const BoxTree> tree;
   std::unique_ptr<const BoxList> list;
   std::unique_ptr<const Grid> grid;
-  /// The same boxes where it is none of the first two, for extended lights: what may stand before
-  /// them decides how they are sampled, so it must not depend on how rays are traced.
+  /// The same boxes where it is none of the first two, for extended lights and thin things: what may
+  /// stand before them decides how they are sampled, so it must not depend on how rays are traced.
   std::unique_ptr<const BoxList> shaft_list;
   std::unique_ptr<const ThinThings> thin;  ///< null: nothing is narrower than pixels
   std::vector<PlannedMaterial> materials;

@@ -13,7 +13,6 @@
 
 #include "rt/math/bounds.h"
 #include "rt/math/ray.h"
-#include "rt/render/accel/box_list.h"
 
 namespace rt {
 
@@ -50,15 +49,12 @@ enum class ThinKind : std::uint8_t { in_sight = 1, as_shadow = 2 };
 /// The thin things of a plan. A byte an instance: all else follows from the plan when a beam comes
 /// near one.
 struct ThinThings {
-  std::vector<std::uint8_t> kinds;       ///< of each bounded instance, ThinKinds as bits
-  unsigned any = 0;                      ///< those that some instance is of
-  std::unique_ptr<const BoxList> boxes;  ///< of all bounded ones, where the plan has neither list nor tree
+  std::vector<std::uint8_t> kinds;  ///< of each bounded instance, ThinKinds as bits
+  unsigned any = 0;                 ///< those that some instance is of
 
+  bool has(ThinKind kind) const { return (any & static_cast<unsigned>(kind)) != 0; }
   bool is(ThinKind kind, std::uint32_t instance) const {
     return (kinds[instance] & static_cast<unsigned>(kind)) != 0;
-  }
-  std::size_t bytes() const {
-    return kinds.size() + (boxes ? boxes->groups().size() * sizeof(BoxGroup) : 0);
   }
 };
 
