@@ -86,25 +86,52 @@ ThinBox image(const Affine& map, const Bounds& b) {
           thickened({half.x * map.linear[0], half.y * map.linear[1], half.z * map.linear[2]})};
 }
 
-/// Calls visit(box) for the boxes that stand for an instance: one, or for a ring one an arc.
-template <class Visit>
-void each_part(const RenderPlan& plan, const PlannedInstance& instance, Visit&& visit) {
+/// What holds a ring's arc of half-angle `half`, below pi / 2, about the x-axis.
+Bounds arc_box(const Torus& ring, double half) {
+  const double inner = ring.major_radius * std::cos(half) - ring.minor_radius;
+  const double outer = ring.major_radius + ring.minor_radius;
+  return {{inner, -ring.minor_radius, -outer * std::sin(half)},
+          {outer, ring.minor_radius, outer * std::sin(half)}};
+}
+
+/// The arcs of a ring from `first` on, `count` of `all`, in halves: as each_part().
+template <class Enter, class Visit>
+bool each_arc(const Affine& map, const Torus& ring, int all, int first, int count, Enter& enter,
+              Visit& visit) {
+  const double half = count * pi / all;
+  if (4 * count <= all) {
+    const Affine turn = Affine::rotation(1, (2.0 * first + count) * 180.0 / all);
+    const ThinBox box = image(map * turn, arc_box(ring, half));
+    if (!enter(box)) {
+      return true;
+    }
+    if (count == 1) {
+      return visit(box);
+    }
+  }
+  const int left = count / 2;
+  return each_arc(map, ring, all, first, left, enter, visit) &&
+         each_arc(map, ring, all, first + left, count - left, enter, visit);
+}
+
+/// Calls visit(box) -> bool for the boxes that stand for an instance: one, or for a ring one an arc,
+/// until that is false. Those outside of a box for which enter(box) is false are left out.
+template <class Enter, class Visit>
+void each_part(const RenderPlan& plan, const PlannedInstance& instance, Enter&& enter,
+               Visit&& visit) {
   const Affine map = plan.placement(instance).render_from_model;
   const Torus* torus = instance.is<Torus>() ? &plan.shapes.of<Torus>()[instance.shape] : nullptr;
   if (torus == nullptr || torus->minor_radius > 0.25 * torus->major_radius) {
-    visit(image(map, model_box_of(plan, instance)));
+    const ThinBox box = image(map, model_box_of(plan, instance));
+    if (enter(box)) {
+      visit(box);
+    }
     return;
   }
-  // Arcs so short that they bend by no more than the tube is thick.
-  const double R = torus->major_radius;
-  const double r = torus->minor_radius;
-  const int arcs = std::min(256, static_cast<int>(std::ceil(pi / std::acos(1.0 - r / R))));
-  const double half = pi / arcs;
-  for (int i = 0; i < arcs; ++i) {
-    const Affine turn = Affine::rotation(1, (2.0 * i + 1.0) * half * 180.0 / pi);
-    visit(image(map * turn, {{R * std::cos(half) - r, -r, -(R + r) * std::sin(half)},
-                             {R + r, r, (R + r) * std::sin(half)}}));
-  }
+  // Arcs so short that they bend by no more than the tube is thick: five or more.
+  const double bend = std::acos(1.0 - torus->minor_radius / torus->major_radius);
+  const int arcs = std::min(256, static_cast<int>(std::ceil(pi / bend)));
+  each_arc(map, *torus, arcs, 0, arcs, enter, visit);
 }
 
 /// The size of a pixel at distance 1.
@@ -137,17 +164,22 @@ bool thin_as(ThinKind kind, const RenderPlan& plan, const ThinBox& box) {
 }
 
 std::uint8_t kinds_of(const RenderPlan& plan, const PlannedInstance& instance) {
+  constexpr auto both =
+      static_cast<unsigned>(ThinKind::in_sight) | static_cast<unsigned>(ThinKind::as_shadow);
   unsigned kinds = 0;
   if (!instance.moves()) {  // what moves is a blur anyway
     const auto look = [&](ThinKind kind, const ThinBox& box) {
       const auto bit = static_cast<unsigned>(kind);
       kinds |= (kinds & bit) == 0 && thin_as(kind, plan, box) ? bit : 0;
     };
-    each_part(plan, instance, [&](const ThinBox& box) {
+    const bool casts = instance.shadow == Shadow::blocks;
+    const auto any = [](const ThinBox&) { return true; };
+    each_part(plan, instance, any, [&](const ThinBox& box) {
       look(ThinKind::in_sight, box);
-      if (instance.shadow == Shadow::blocks) {
+      if (casts) {
         look(ThinKind::as_shadow, box);
       }
+      return kinds != (casts ? both : static_cast<unsigned>(ThinKind::in_sight));
     });
   }
   return static_cast<std::uint8_t>(kinds);
@@ -162,10 +194,10 @@ void each_along(const RenderPlan& plan, const Boxes& boxes, const Beam& beam, do
   const double edge = 1.0 / space.per_unit();  // half of the cube's about all boxes
   const Vec3 to_centre = space.centre() - beam.axis.origin;
   const double middle = glm::dot(to_centre, beam.axis.direction);
-  const double radius = std::max(beam.radius_at(0.0), beam.radius_at(middle));
-  if (radius <= edge && std::abs(beam.slope) <= 0.125) {
+  if (std::abs(beam.slope) <= 0.125) {
     // A section that meets the cube, |p(t) - centre| <= edge + r(t) along each axis, has
     // |t - middle| <= 3^(1/2) (edge + radius + |t - middle| / 8), below this; so has its distance.
+    const double radius = beam.radius_at(std::max(middle, 0.0));
     const double near = 2.5 * (edge + radius);
     const double begin = std::max(0.0, middle - near);
     const double end = std::min(t_max, middle + near);
@@ -173,7 +205,8 @@ void each_along(const RenderPlan& plan, const Boxes& boxes, const Beam& beam, do
         glm::length(to_centre - middle * beam.axis.direction) > near) {
       return;
     }
-    if (boxes.each_in({beam.cube_at(begin), beam.cube_at(end)}, visit)) {
+    // Where it is wider than all together it is no shaft that could be followed.
+    if (radius <= edge && boxes.each_in({beam.cube_at(begin), beam.cube_at(end)}, visit)) {
       return;
     }
   }
@@ -191,15 +224,18 @@ double coverage(const RenderPlan& plan, ThinKind kind, const Beam& beam, double 
   // A box grown by the beam's radius has corners further off.
   const Beam around{beam.axis, corner * beam.radius, corner * beam.slope};
   std::uint64_t sum = 0;
+  const auto near = [&](const ThinBox& box) { return around.meets(box.bounds(), t_max); };
+  const auto add_part = [&](const ThinBox& box) {
+    if (thin_as(kind, plan, box)) {
+      sum += static_cast<std::uint64_t>(std::min(whole, box.coverage(beam, t_max)) / unit_share);
+    }
+    return sum < all;
+  };
   const auto add = [&](std::uint32_t id) {
     const PlannedInstance& instance = plan.instances[id];
     // What walks find beyond the boxes that are met differs.
     if (plan.thin->is(kind, id) && around.meets(box_of(plan, instance), t_max)) {
-      each_part(plan, instance, [&](const ThinBox& box) {
-        if (sum < all && thin_as(kind, plan, box)) {
-          sum += static_cast<std::uint64_t>(std::min(whole, box.coverage(beam, t_max)) / unit_share);
-        }
-      });
+      each_part(plan, instance, near, add_part);
     }
     return sum < all;
   };
@@ -253,6 +289,11 @@ bool Beam::meets(const Bounds& box, double t_max) const {
 
 double ThinBox::reach() const {
   return glm::length(edges[0]) + glm::length(edges[1]) + glm::length(edges[2]);
+}
+
+Bounds ThinBox::bounds() const {
+  const Vec3 half = glm::abs(edges[0]) + glm::abs(edges[1]) + glm::abs(edges[2]);
+  return {centre - half, centre + half};
 }
 
 double ThinBox::coverage(const Beam& beam, double t_max) const {

@@ -39,6 +39,7 @@ struct ThinBox {
 
   /// No corner is further from the centre.
   double reach() const;
+  Bounds bounds() const;
   /// How much it covers of a disc of the beam's radius as seen along the beam, where that meets it
   /// before t_max; else 0.
   double coverage(const Beam& beam, double t_max) const;
