@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "rt/math/wide.h"
-
 namespace rt {
 namespace {
 
@@ -54,33 +52,6 @@ bool uniform_row(PixelSampler& sampler, int x, int y, int count, std::span<Rgb> 
     row[i] = good[i] > 0 ? row[i] / static_cast<double>(good[i]) : Rgb(0.0);
   }
   return true;
-}
-
-// In the order of blocks two pixels high: neighbours go the same way.
-void centre_samples(PixelSampler& sampler, const Crop& tile, const Crop& crop, Film& film,
-                    RenderStatistics& statistics) {
-  constexpr int across = std::max(lanes / 2, 1);  // of a block that one packet takes
-  std::vector<PixelSample> wanted;  // of two rows, which move down
-  for (int x = tile.x; x < tile.x + tile.width; x += across) {
-    for (int j = 0; j < 2; ++j) {
-      for (int i = x; i < std::min(x + across, tile.x + tile.width); ++i) {
-        wanted.push_back({i, tile.y + j, 0, true});
-      }
-    }
-  }
-  std::vector<std::optional<Rgb>> values(wanted.size());
-  const int bottom = tile.y + tile.height;
-  for (int y = tile.y; y < bottom; y += 2) {
-    if (y + 1 == bottom) {
-      std::erase_if(wanted, [&](const PixelSample& s) { return s.y == bottom; });
-    }
-    sampler.take_all(wanted, values, statistics);
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      PixelSample& s = wanted[i];
-      film.set(s.x - crop.x, s.y - crop.y, values[i].value_or(Rgb(0.0)));
-      s.y += 2;
-    }
-  }
 }
 
 CornerTile::CornerTile(PixelSampler& sampler, const Crop& tile, RenderStatistics& statistics)

@@ -168,7 +168,7 @@ bool Rendering::plain_tile(const Crop& tile, PixelSampler& sampler, RenderStatis
                            const Until& until) {
   const Deadline stop({}, until.stop);
   if (fixed_ == 1) {
-    centre_samples(sampler, tile, crop_, result_.film, statistics);
+    sampler.take_centres(tile, crop_, result_.film, statistics);
     return true;
   }
   std::optional<CornerTile> corners;

@@ -78,4 +78,9 @@ void PixelSampler::take_all(std::span<const PixelSample> wanted,
   packets_->take(wanted, values, statistics, quadrants, sight_);
 }
 
+void PixelSampler::take_centres(const Crop& tile, const Crop& crop, Film& film,
+                                RenderStatistics& statistics) {
+  packets_->take_centres(tile, crop, film, statistics, sight_);
+}
+
 }  // namespace rt

@@ -22,9 +22,13 @@ struct Film {
         height(h),
         pixels(3 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
 
+  /// The three numbers of a pixel; those of the next to its right follow.
+  float* at(int x, int y) {
+    return &pixels[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                        static_cast<std::size_t>(x))];
+  }
   void set(int x, int y, const Rgb& value) {
-    float* p = &pixels[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                            static_cast<std::size_t>(x))];
+    float* p = at(x, y);
     for (int k = 0; k < 3; ++k) {
       p[k] = static_cast<float>(value[k]);
     }

@@ -9,10 +9,6 @@
 
 namespace rt {
 
-/// One sample at the centre of each pixel of the tile, into the film of `crop`.
-void centre_samples(PixelSampler& sampler, const Crop& tile, const Crop& crop, Film& film,
-                    RenderStatistics& statistics);
-
 /// The means over `count` samples of each pixel from (x, y) to the right; false when told to stop.
 bool uniform_row(PixelSampler& sampler, int x, int y, int count, std::span<Rgb> row,
                  const Deadline& deadline, RenderStatistics& statistics);

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "rt/render/accel/sight_cache.h"
+#include "rt/render/film.h"
 #include "rt/render/statistics.h"
 #include "rt/render/tracer.h"
 
@@ -16,7 +17,6 @@ class PacketSampler;
 struct PixelSample {
   int x, y;
   std::uint32_t index;
-  bool at_centre = false;  ///< of the pixel; otherwise where the filter says
 };
 
 /// The ray through picture coordinates in [0,1]^2, not normalised. With a lens it starts anywhere on
@@ -42,10 +42,14 @@ class PixelSampler {
                              RenderStatistics& statistics);
 
   /// Those samples, as take() would, but several at a time. Neighbours should be
-  /// next to each other. If asked, says in which quadrant of its pixel each lies that is not at its
-  /// centre: bit 0 is set on the right, bit 1 at the bottom.
+  /// next to each other. If asked, says in which quadrant of its pixel each lies: bit 0 is set on the
+  /// right, bit 1 at the bottom.
   void take_all(std::span<const PixelSample> wanted, std::span<std::optional<Rgb>> values,
                 RenderStatistics& statistics, std::span<std::uint8_t> quadrants = {});
+
+  /// Sample 0 of every pixel of a tile, but at the pixel's centre, as take_at() would, into the film
+  /// of `crop`; black where it is not finite.
+  void take_centres(const Crop& tile, const Crop& crop, Film& film, RenderStatistics& statistics);
 
  private:
   Tracer tracer_;

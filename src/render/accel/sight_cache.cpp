@@ -59,8 +59,8 @@ Candidates SightCache::through(double x, double y) {
   if (table_.empty()) {
     return {};
   }
-  const int i = static_cast<int>(std::floor(x / block));
-  const int j = static_cast<int>(std::floor(y / block));
+  const int i = static_cast<int>(std::floor(x / (1.0 * block)));
+  const int j = static_cast<int>(std::floor(y / (1.0 * block)));
   // Sixteen blocks by sixteen: a tile's, and more.
   Entry& entry = table_[static_cast<unsigned>(i) % 16U + 16U * (static_cast<unsigned>(j) % 16U)];
   if (!entry.filled || entry.x != i || entry.y != j) {

@@ -128,8 +128,9 @@ unsigned seeing(const RenderPlan& plan, std::size_t index, const WideShadingPoin
   BlockersByLane blockers;
   for (unsigned rest = bits & ~unknown; rest != 0;) {
     const double cell = cells[static_cast<std::size_t>(std::countr_zero(rest))];
-    const Candidates candidates = cache.towards(index, static_cast<ShadowCache::Cell>(cell));
     const unsigned here = rest & bits_of(cells == cell);
+    const Candidates candidates =
+        cache.towards(index, static_cast<ShadowCache::Cell>(cell), std::popcount(here) > 1);
     rest &= ~here;
     if (!candidates.known) {
       unknown |= here;

@@ -12,13 +12,13 @@ namespace {
 constexpr AccelChoice searches[] = {AccelChoice::automatic, AccelChoice::none, AccelChoice::list,
                                     AccelChoice::grid, AccelChoice::bvh};
 
-/// Every pixel: its centre where `centres`, else some samples.
-std::vector<PixelSample> wanted(const RenderJob& job, bool centres) {
+/// Some samples of every pixel.
+std::vector<PixelSample> wanted(const RenderJob& job) {
   std::vector<PixelSample> out;
   for (int y = 0; y < job.options.height; ++y) {
     for (int x = 0; x < job.options.width; ++x) {
-      for (std::uint32_t i = 0; i < (centres ? 1u : 3u); ++i) {  // no multiple of the lanes
-        out.push_back({x, y, i, centres});
+      for (std::uint32_t i = 0; i < 3; ++i) {  // no multiple of the lanes
+        out.push_back({x, y, i});
       }
     }
   }
@@ -44,12 +44,21 @@ Taken one_by_one(const RenderPlan& plan, const std::vector<PixelSample>& samples
   PixelSampler one(plan);
   for (const PixelSample& s : samples) {
     const Sampler sampler(plan.options.seed, s.x, s.y, s.index);
-    out.values.push_back(s.at_centre ? one.take_at(s.x, s.y, Vec2(0.5), sampler, out.statistics)
-                                     : one.take(s.x, s.y, sampler, out.statistics));
+    out.values.push_back(one.take(s.x, s.y, sampler, out.statistics));
     const Vec2 u = sampler.pixel();
     out.quadrants.push_back(static_cast<std::uint8_t>((u.x < 0.5 ? 0 : 1) + (u.y < 0.5 ? 0 : 2)));
   }
   return out;
+}
+
+void expect_equal(const RenderStatistics& many, const RenderStatistics& one,
+                  const std::string& what) {
+  EXPECT_EQ(many.rays.camera, one.rays.camera) << what;
+  EXPECT_EQ(many.rays.shadow, one.rays.shadow) << what;
+  EXPECT_EQ(many.rays.reflection, one.rays.reflection) << what;
+  EXPECT_EQ(many.rays.refraction, one.rays.refraction) << what;
+  EXPECT_EQ(many.samples, one.samples) << what;
+  EXPECT_EQ(many.bad_samples, one.bad_samples) << what;
 }
 
 void expect_equal(const RenderPlan& plan, const std::vector<PixelSample>& samples,
@@ -58,19 +67,52 @@ void expect_equal(const RenderPlan& plan, const std::vector<PixelSample>& sample
   const Taken one = one_by_one(plan, samples);
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const bool elsewhere = !samples[i].at_centre && many.quadrants[i] != one.quadrants[i];
-    if ((many.values[i] != one.values[i] || elsewhere) && wrong++ == 0) {
+    const bool same =
+        many.values[i] == one.values[i] && many.quadrants[i] == one.quadrants[i];
+    if (!same && wrong++ == 0) {
       ADD_FAILURE() << what << ": sample " << samples[i].index << " of pixel " << samples[i].x
                     << ", " << samples[i].y;
     }
   }
   EXPECT_EQ(wrong, 0u) << what << ", of " << samples.size();
-  EXPECT_EQ(many.statistics.rays.camera, one.statistics.rays.camera) << what;
-  EXPECT_EQ(many.statistics.rays.shadow, one.statistics.rays.shadow) << what;
-  EXPECT_EQ(many.statistics.rays.reflection, one.statistics.rays.reflection) << what;
-  EXPECT_EQ(many.statistics.rays.refraction, one.statistics.rays.refraction) << what;
-  EXPECT_EQ(many.statistics.samples, one.statistics.samples) << what;
-  EXPECT_EQ(many.statistics.bad_samples, one.statistics.bad_samples) << what;
+  expect_equal(many.statistics, one.statistics, what);
+}
+
+/// The centres of all pixels but some at the edges, in tiles whose edges lie anywhere.
+void expect_equal_centres(const RenderPlan& plan, const std::string& what) {
+  const RenderOptions& o = plan.options;
+  const Crop crop{3, 1, o.width - 4, o.height - 3};
+  Film many(crop.width, crop.height);
+  RenderStatistics of_many;
+  PixelSampler sampler(plan);
+  constexpr int wide = 19;
+  constexpr int high = 13;
+  for (int y = crop.y; y < crop.y + crop.height; y += high) {
+    for (int x = crop.x; x < crop.x + crop.width; x += wide) {
+      sampler.take_centres({x, y, std::min(wide, crop.x + crop.width - x),
+                            std::min(high, crop.y + crop.height - y)},
+                           crop, many, of_many);
+    }
+  }
+  Film one(crop.width, crop.height);
+  RenderStatistics of_one;
+  PixelSampler alone(plan);
+  std::size_t wrong = 0;
+  for (int y = 0; y < crop.height; ++y) {
+    for (int x = 0; x < crop.width; ++x) {
+      const Sampler sample(o.seed, x + crop.x, y + crop.y, 0);
+      one.set(x, y, alone.take_at(x + crop.x, y + crop.y, Vec2(0.5), sample, of_one)
+                        .value_or(Rgb(0.0)));
+      const bool same = std::equal(one.at(x, y), one.at(x, y) + 3, many.at(x, y));
+      if (!same && wrong++ == 0) {
+        ADD_FAILURE() << what << ": centre of pixel " << x + crop.x << ", " << y + crop.y;
+      }
+    }
+  }
+  EXPECT_EQ(wrong, 0u) << what << ", of " << of_one.samples;
+  expect_equal(of_many, of_one, what);
+  EXPECT_EQ(of_many.first_bad_x, of_one.first_bad_x) << what;
+  EXPECT_EQ(of_many.first_bad_y, of_one.first_bad_y) << what;
 }
 
 class PacketSamples : public ::testing::TestWithParam<test::PacketScene> {};
@@ -83,11 +125,9 @@ TEST_P(PacketSamples, AreThoseTakenOneByOne) {
     RenderJob job = GetParam().job;
     job.options.accel = accel;
     const RenderPlan plan = make_plan(job);
-    for (const bool centres : {false, true}) {
-      expect_equal(
-          plan, wanted(job, centres),
-          "search " + std::to_string(static_cast<int>(accel)) + (centres ? ", centres" : ""));
-    }
+    const std::string search = "search " + std::to_string(static_cast<int>(accel));
+    expect_equal(plan, wanted(job), search);
+    expect_equal_centres(plan, search + ", centres");
   }
 }
 
@@ -99,18 +139,9 @@ INSTANTIATE_TEST_SUITE_P(Scenes, PacketSamples, ::testing::ValuesIn(test::packet
                          });
 
 // Any two samples may be neighbours.
-TEST(PacketSample, CentresAndOthersMix) {
-  const RenderJob job = test::gloss_scene();
-  std::vector<PixelSample> samples = wanted(job, false);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    samples[i].at_centre = i % 3 == 1;
-  }
-  expect_equal(make_plan(job), samples, "mixed");
-}
-
 TEST(PacketSample, SamplesFarApart) {
   const RenderJob job = test::glass_scene();
-  std::vector<PixelSample> samples = wanted(job, false);
+  std::vector<PixelSample> samples = wanted(job);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     std::swap(samples[i], samples[(i * 7919) % samples.size()]);
   }
@@ -127,7 +158,9 @@ TEST(PacketSample, WhatIsNotFiniteStaysInItsSample) {
     RenderJob dark = test::coincident_scene();  // bright without end, but for shadows
     dark.lights[0].falloff = {0, 0, 0};
     for (const RenderJob& one : {job, light, dark}) {
-      expect_equal(make_plan(one), wanted(one, false), "bad");
+      const RenderPlan plan = make_plan(one);
+      expect_equal(plan, wanted(one), "bad");
+      expect_equal_centres(plan, "bad centres");
     }
   }
 }

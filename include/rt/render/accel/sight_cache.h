@@ -22,7 +22,7 @@ class SightCache {
   Candidates through(double x, double y);
 
   /// Edge of a block, in pixels: through() answers alike for all places of one.
-  static constexpr double block = 8.0;
+  static constexpr int block = 8;
 
  private:
   static constexpr std::size_t entries = 256;
