@@ -8,8 +8,21 @@ NAME, TITLE = "rays", "Our rays per second over bare Embree's"
 ASKED = 0.6
 
 
+# Primitives, the picture's edge, rounds: what is charted; then a thousand and a million, through as many
+# pixels as 320x240 and 1280x960 have.
+CHARTED = (100_000, 512, 7)
+GROWTH = tuple((count, edge, 3) for edge in (277, 1109) for count in (1000, 1_000_000))
+QUICK = ((2000, 64, 1), (500, 32, 1), (4000, 32, 1))
+
+
 def measure(context):
-    count, edge, rounds = (2000, 64, 1) if context.quick else (100_000, 512, 7)
+    rows = []
+    for count, edge, rounds in QUICK if context.quick else (CHARTED, *GROWTH):
+        rows += measured(context, count, edge, rounds)
+    return {NAME: rows}
+
+
+def measured(context, count, edge, rounds):
     said = subprocess.run([*context.programs.pin, context.programs.best("bench_rays"), str(count),
                            str(edge), str(rounds)], check=True, capture_output=True, text=True)
     rows = [{k: v if k in ("subject", "kind") else float(v) for k, v in row.items()}
@@ -18,16 +31,29 @@ def measure(context):
     for row in rows:
         if row["agreeing"] < 0.999:
             raise RuntimeError(f"{row['subject']}, {row['kind']}: hits agree on {row['agreeing']:%}")
-        row["ratio"] = row["own"] / row["embree"]
+        row |= {"edge": edge, "ratio": row["own"] / row["embree"]}
         found.setdefault((row["subject"], row["kind"]), []).append(row)
-    return {NAME: [tables.median_row(same, "own", "embree", "ratio") for same in found.values()]}
+    return [tables.median_row(same, "own", "embree", "ratio") for same in found.values()]
+
+
+def charted(data):
+    return [r for r in data[NAME] if r["edge"] == data[NAME][0]["edge"]]
+
+
+def growths(data):
+    """How many times as long a ray takes among the most primitives as among the fewest: pairs of
+    rows."""
+    cases = {}
+    for row in data[NAME][len(charted(data)):]:
+        cases.setdefault((row["subject"], row["edge"], row["kind"]), []).append(row)
+    return [(rows[0], rows[-1]) for rows in cases.values()]
 
 
 def draw(data):
     figure, (axes,) = style.sheet(height=3.2)
-    kinds = list(curves.series(data[NAME], "kind"))[::-1]
-    for shift, (subject, rows), colour in zip((0.2, -0.2), curves.series(data[NAME],
-                                                                      "subject").items(),
+    shown = charted(data)
+    kinds = list(curves.series(shown, "kind"))[::-1]
+    for shift, (subject, rows), colour in zip((0.2, -0.2), curves.series(shown, "subject").items(),
                                               (style.OWN, style.TACHYON)):
         places = [kinds.index(r["kind"]) + shift for r in rows]
         bars = axes.barh(places, [r["ratio"] for r in rows], 0.38, color=colour,
@@ -51,14 +77,24 @@ def draw(data):
 
 
 def report(data, heading):
-    worst = min(r["ratio"] for r in data[NAME])
+    shown = charted(data)
+    worst = min(r["ratio"] for r in shown)
     table = tables.markdown({
         "scene": lambda r: f"{r['primitives']:,.0f} {r['subject']}", "rays": lambda r: r["kind"],
         "ours, M/s": lambda r: tables.between({k: v / 1e6 for k, v in r.items()
                                                if k.startswith("own")}, "own", "{:.2f}"),
         "Embree, M/s": lambda r: f"{r['embree'] / 1e6:.2f}",
         "ours / Embree": lambda r: tables.between(r, "ratio", "{:.2f}"),
-        "agreeing": lambda r: f"{100 * r['agreeing']:.4f}%"}, data[NAME])
+        "agreeing": lambda r: f"{100 * r['agreeing']:.4f}%"}, shown)
+
+    def grown(pair, whose):
+        few, many = (1e9 / row[whose] for row in pair)
+        return f"{few:.0f} to {many:.0f}, {many / few:.2f} times"
+    growth = tables.markdown({
+        "scene": lambda p: f"{p[0]['primitives']:,.0f} to {p[1]['primitives']:,.0f} {p[0]['subject']}",
+        "rays": lambda p: f"{p[0]['kind']}, through {p[0]['edge']:.0f}x{p[0]['edge']:.0f} pixels",
+        "ours, ns": lambda p: grown(p, "own"), "Embree, ns": lambda p: grown(p, "embree")},
+        growths(data))
     return NAME + ".md", tables.page(
         "Rays per second against bare Embree", heading,
         "bench/rays: the same single rays, one thread, medians of rounds in turns. Embree: "
@@ -69,4 +105,5 @@ def report(data, heading):
         "without what the renderer keeps of a pixel's "
         "neighbourhood. Agreeing: rays of which both say the same.", table,
         f"Aimed at: {ASKED:g} everywhere. The least is {worst:.2f}: "
-        + ("reached." if worst >= ASKED else "not reached."))
+        + ("reached." if worst >= ASKED else "not reached."),
+        "How the time of a ray grows with the scene, medians of three rounds:", growth)

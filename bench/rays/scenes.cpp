@@ -50,6 +50,7 @@ Subject rippled_sheet(int triangles) {
       mesh->triangles.push_back({a + 1, a + n + 2, a + n + 1});
     }
   }
+  arrange(*mesh);
   return {{}, mesh};
 }
 

@@ -192,6 +192,7 @@ std::shared_ptr<const MeshData> load_obj(const std::filesystem::path& path) {
                     path.string(), text.size()));
   }
   built.finish();
+  arrange(built.mesh);
   return std::make_shared<const MeshData>(std::move(built.mesh));
 }
 

@@ -123,6 +123,7 @@ int make_mesh(Call& call) {
     auto data = std::make_shared<MeshData>();
     data->positions = read_vertices(source);
     data->triangles = read_faces(call.argument(3, "faces"), data->positions.size());
+    arrange(*data);
     mesh = charged(call.L, std::move(data));
   } else {
     call.takes_at_most(2);

@@ -13,7 +13,7 @@
 #include "rt/render/accel/box_list.h"
 #include "rt/render/accel/box_tree.h"
 #include "rt/render/accel/grid.h"
-#include "rt/render/arranged.h"
+#include "rt/math/arranged.h"
 #include "rt/render/thin.h"
 
 namespace rt {

@@ -24,6 +24,11 @@ struct MeshData {
   std::vector<Corners> triangle_uvs;
 };
 
+/// Puts side by side in memory what is side by side in space, for rays to find it in fewer places:
+/// triangles in the order of a curve through all their middles, corners in that of the triangles.
+/// What no triangle uses is left out.
+void arrange(MeshData& mesh);
+
 /// A triangle mesh. Feature: the triangle's index. The geometric normal follows the corners'
 /// counter-clockwise order. intersect() over the whole mesh tries every triangle in turn; the
 /// renderer walks a hierarchy instead and calls intersect_triangle().

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rt/math/rounding.h"
-#include "rt/render/arranged.h"
+#include "rt/math/arranged.h"
 #include "rt/render/placement.h"
 
 namespace rt {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "rt/geometry/shape.h"
-#include "rt/render/arranged.h"
+#include "rt/math/arranged.h"
 
 namespace rt {
 

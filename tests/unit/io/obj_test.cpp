@@ -56,9 +56,16 @@ TEST_F(Obj, ReadsWindowsAndOldMacLineEnds) {
   }
 }
 
+/// What a triangle's corners are.
+template <class T>
+std::array<T, 3> at(const Corners& corners, const std::vector<T>& table) {
+  return {table.at(corners[0]), table.at(corners[1]), table.at(corners[2])};
+}
+std::array<Vec3, 3> points(const Vec3& a, const Vec3& b, const Vec3& c) { return {a, b, c}; }
+
 TEST_F(Obj, CountsNegativeIndicesBackwards) {
   const MeshData mesh = load("v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 5 5 5\n");
-  EXPECT_EQ(mesh.triangles.at(0), (Corners{1, 2, 3}));
+  EXPECT_EQ(at(mesh.triangles.at(0), mesh.positions), points({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
 }
 
 TEST_F(Obj, AllowsFacesBeforeTheirVertices) {
@@ -68,18 +75,19 @@ TEST_F(Obj, AllowsFacesBeforeTheirVertices) {
 TEST_F(Obj, ReadsEveryFormOfACorner) {
   const std::string data =
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0.5 1 0\nvn 0 0 2\nvn 0 3 0\nvn 1 0 0\n";
+  const Vec3 x(1, 0, 0);
+  const Vec3 y(0, 1, 0);
+  const Vec3 z(0, 0, 1);  // normals have unit length
   const MeshData all = load(data + "f 1/2/3 2/3/1 3/1/2\n");
-  EXPECT_EQ(all.triangle_uvs.at(0), (Corners{1, 2, 0}));
-  EXPECT_EQ(all.triangle_normals.at(0), (Corners{2, 0, 1}));
-  EXPECT_EQ(all.normals.at(0), Vec3(0, 0, 1)) << "normals have unit length";
-  EXPECT_EQ(all.uvs.at(2), Vec2(0.5, 1.0));
+  EXPECT_EQ(at(all.triangle_uvs.at(0), all.uvs), (std::array<Vec2, 3>{{{1, 0}, {0.5, 1}, {0, 0}}}));
+  EXPECT_EQ(at(all.triangle_normals.at(0), all.normals), points(x, z, y));
 
   const MeshData normals = load(data + "f 1//3 2//1 3//-1\n");
-  EXPECT_EQ(normals.triangle_normals.at(0), (Corners{2, 0, 2}));
+  EXPECT_EQ(at(normals.triangle_normals.at(0), normals.normals), points(x, z, x));
   EXPECT_TRUE(normals.uvs.empty() && normals.triangle_uvs.empty());
 
   const MeshData uvs = load(data + "f 1/1 2/2 3/-1\n");
-  EXPECT_EQ(uvs.triangle_uvs.at(0), (Corners{0, 1, 2}));
+  EXPECT_EQ(at(uvs.triangle_uvs.at(0), uvs.uvs), (std::array<Vec2, 3>{{{0, 0}, {1, 0}, {0.5, 1}}}));
   EXPECT_TRUE(uvs.normals.empty() && uvs.triangle_normals.empty());
 }
 
