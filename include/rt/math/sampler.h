@@ -14,7 +14,6 @@
 ///   lobe           2, 3, scrambled apart         2, 3
 ///   time           4                             -
 ///   lens           5, 7                          -
-///   light_choice   6                             4
 ///   lobe_choice    8                             6
 ///
 /// Light and lobe of one vertex may share dimensions: what they contribute is added, never
@@ -34,7 +33,6 @@
 ///   pixel, lens            0 1 2 3 4 2 2 3 3 4
 ///   pixel, time            0 1 1 2 2 1 2 2 2 2
 ///   pixel, light, time     0 1 2 2 2 3 4 5 3 3
-///   light, light_choice    0 1 1 1 2 3 3 4 3 4
 ///   lobe, lobe_choice      0 1 1 2 2 3 4 4 3 4
 ///
 /// In base 4, pixel and light are jointly a (0,m,4)-net: at 16, 64, 256, ... samples every box of
@@ -78,8 +76,6 @@ class Sampler {
   Vec2 light(Vertex v = {}) const { return pair(v, 3, 2, 3, 0, 1); }
   /// Direction within a lobe.
   Vec2 lobe(Vertex v = {}) const { return pair(v, 4, 2, 3, 2, 3); }
-  /// Which light.
-  double light_choice(Vertex v = {}) const { return single(v, 5, 6, 4); }
   /// Which lobe; reflection or refraction; go on or stop.
   double lobe_choice(Vertex v = {}) const { return single(v, 6, 8, 6); }
 

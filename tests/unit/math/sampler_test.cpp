@@ -121,8 +121,6 @@ TEST(Sampler, QualityIsAsDocumented) {
             "0 1 1 2 2 1 2 2 2 2");
   EXPECT_EQ(t_values([](const Sampler& s) { return with(of(s.pixel(), s.light()), s.time()); }),
             "0 1 2 2 2 3 4 5 3 3");
-  EXPECT_EQ(t_values([](const Sampler& s) { return with(of(s.light()), s.light_choice()); }),
-            "0 1 1 1 2 3 3 4 3 4");
   EXPECT_EQ(t_values([](const Sampler& s) { return with(of(s.lobe()), s.lobe_choice()); }),
             "0 1 1 2 2 3 4 4 3 4");
 }
